@@ -117,11 +117,26 @@ void bead_look_font(struct bead_look *look, const char *family)
         snprintf(look->family, sizeof look->family, "%s", family);
 }
 
+void bead_rgb_set(cairo_t *cr, struct bead_rgb colour)
+{
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+}
+
+struct bead_rgb bead_rgb_mix(struct bead_rgb a, struct bead_rgb b, double part)
+{
+    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
+}
+
+struct bead_rgb bead_look_ground(const struct bead_look *look)
+{
+    return look->dark ? look->panel : look->background;
+}
+
 void bead_look_paint(const struct bead_look *look, cairo_t *cr)
 {
     if (look->clear)
         return;
-    cairo_set_source_rgb(cr, look->background.r, look->background.g, look->background.b);
+    bead_rgb_set(cr, look->background);
     cairo_paint(cr);
 }
 
@@ -129,7 +144,7 @@ void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, 
 {
     if (look->clear)
         return;
-    cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
+    bead_rgb_set(cr, look->panel);
     cairo_rectangle(cr, x, y, width, height);
     cairo_fill(cr);
 }

@@ -26,6 +26,11 @@ struct bead_dashes {
 const struct bead_dashes *bead_look_dashes(size_t index);
 /* Sets another family for all letters; NULL, "auto": no change. */
 void bead_look_font(struct bead_look *look, const char *family);
+void bead_rgb_set(cairo_t *cr, struct bead_rgb colour);
+/* `part` of the way from a to b. */
+struct bead_rgb bead_rgb_mix(struct bead_rgb a, struct bead_rgb b, double part);
+/* What is behind curves. */
+struct bead_rgb bead_look_ground(const struct bead_look *look);
 /* Paint the whole page, or a rectangle of a panel, in the look's colours; nothing if it is clear. */
 void bead_look_paint(const struct bead_look *look, cairo_t *cr);
 void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height);

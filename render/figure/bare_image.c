@@ -93,19 +93,13 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
     double end = b->context.end;
     const double time[2] = {isnan(output->shown.time[0]) ? 0 : output->shown.time[0],
                             isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end)};
-    enum bead_error err = bead_page_find(output, &b->page, msg);
-    if (!err && (!(time[1] > time[0]) || !isfinite(time[1])))
-        err = bead_output_wrong(b->output, msg, "time: there is nothing to show; the run ends before");
-    if (!err)
-        err = bead_colour_range_check(output, msg);
-    if (!err)
-        err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, false, &b->map, msg);
-    if (!err)
-        err = make_areas(b, time, msg);
-    if (!err)
-        err = bead_tale_create(b->context.chains, b->context.chain_count, output->shown.field, b->beads, &b->tale, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_page_find(output, &b->page, msg));
+    if (!(time[1] > time[0]) || !isfinite(time[1]))
+        return bead_output_wrong(b->output, msg, "time: there is nothing to show; the run ends before");
+    BEAD_TRY(bead_colour_range_check(output, msg));
+    BEAD_TRY(bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, false, &b->map, msg));
+    BEAD_TRY(make_areas(b, time, msg));
+    BEAD_TRY(bead_tale_create(b->context.chains, b->context.chain_count, output->shown.field, b->beads, &b->tale, msg));
     b->grid = bead_picture_grid(&b->context, &output->shown, time, b->columns);
     snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
     return BEAD_OK;
@@ -135,15 +129,15 @@ static enum bead_error fill_indices(struct bead_still *b, uint8_t *indices, stru
     const struct bead_colour_range range = bare_find_range(b);
     const struct bead_colours colours = bead_colour_range_colours(b->output, &range, &b->map);
     struct bead_colour_table table;
-    enum bead_error err = bead_colour_range_map(b->output, b->context.chains[0], b->output->paper.theme == BEAD_THEME_DARK,
-                                                range.rest > 0, &b->map, msg);
+    BEAD_TRY(bead_colour_range_map(b->output, b->context.chains[0], b->output->paper.theme == BEAD_THEME_DARK, range.rest > 0,
+                                   &b->map, msg));
     bead_colour_table_make(&colours, &table);
     for (size_t c = 0; c < b->context.chain_count; c++) {
         const struct bead_area_image image = image_of(b, c, indices);
-        for (int x = 0, done; !err && x < b->columns; x = done + 1) /* skips a column that no sample has touched */
-            err = bead_area_colour(b->areas[c], &table, x, b->columns, &image, &done, msg);
+        for (int x = 0, done; x < b->columns; x = done + 1) /* skips a column that no sample has touched */
+            BEAD_TRY(bead_area_colour(b->areas[c], &table, x, b->columns, &image, &done, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* The pixels that draw_pixels puts on a page. */

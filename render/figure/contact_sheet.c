@@ -70,19 +70,18 @@ static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_
         s->watches[i] = (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = s->end};
     if (!isnan(until))
         return BEAD_OK; /* only the run with samples is needed */
-    enum bead_error err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
+    BEAD_TRY(bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg));
     for (size_t i = 0; i < s->image_count; i++)
         s->end = fmax(s->end, s->watches[i].arrival);
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < s->image_count && !err; i++) {
+    for (size_t i = 0; i < s->image_count; i++) {
         struct contact_image *image = &s->images[i];
         image->field = s->output->shown.field;
-        err = sheet_read_chain(s, image, msg);
+        BEAD_TRY(sheet_read_chain(s, image, msg));
         s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
                                                   .index = image->index,
                                                   .end = s->end,
@@ -91,7 +90,7 @@ static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_
                                                   .take = take,
                                                   .context = image};
     }
-    return err ? err : bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
+    return bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
 }
 
 /* Nothing is left out. */
@@ -114,20 +113,16 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
 {
     static const double smaller = 0.85;
     struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_page_find(s->output, &s->page, msg);
-    if (!err)
-        err = bead_colour_range_check(s->output, msg);
-    if (!err)
-        err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_page_find(s->output, &s->page, msg));
+    BEAD_TRY(bead_colour_range_check(s->output, msg));
+    BEAD_TRY(bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg));
     bead_page_look(&s->page, &s->output->paper, &s->look);
     s->small = smaller * s->look.tick;
     s->orientation = bead_orientation_of(s->output);
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     s->is_signed = bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field);
-    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg);
+    enum bead_error err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg);
     if (!err)
         err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, true, &s->map_about_rest, msg);
     bead_sweep_chain_destroy(made);
@@ -136,16 +131,12 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
 
 enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
-    enum bead_error err = sheet_prepare(s, msg);
-    if (!err)
-        err = contact_sheet_arrange(s, msg);
-    if (!err)
-        err = sheet_measure(s, settings, msg);
-    if (!err)
-        err = take_pictures(s, settings, msg);
-    if (!err)
-        find_colours(s);
-    return err;
+    BEAD_TRY(sheet_prepare(s, msg));
+    BEAD_TRY(contact_sheet_arrange(s, msg));
+    BEAD_TRY(sheet_measure(s, settings, msg));
+    BEAD_TRY(take_pictures(s, settings, msg));
+    find_colours(s);
+    return BEAD_OK;
 }
 
 static enum bead_error write_sheet(const struct bead_output *output, const struct bead_run_context *context, const char *path,

@@ -21,22 +21,17 @@
 enum { REVERSED = 1 };
 static const double up_part = 0.45; /* share of ink in the colour of cells that are up */
 
-static struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part)
-{
-    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
-}
-
 struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *s, int spin)
 {
-    return spin == 1   ? contact_sheet_mix(s->look.background, s->look.faint, up_part)
+    return spin == 1   ? bead_rgb_mix(s->look.background, s->look.faint, up_part)
            : spin == 0 ? bead_look_curve(&s->look, REVERSED)
-                       : contact_sheet_mix(s->look.background, s->look.faint, 0.15);
+                       : bead_rgb_mix(s->look.background, s->look.faint, 0.15);
 }
 
 /* Fills the rectangle from a to b. */
 static void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height)
 {
-    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+    bead_rgb_set(cr, colour);
     cairo_rectangle(cr, x, y, width, height);
     cairo_fill(cr);
 }
@@ -186,8 +181,7 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
     char left[320], right[160], force[64], name[160] = "";
     double y = image->words.y + round(0.3 * small);
     if (!over_of(s)->key_count)
-        contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
-                           meter);
+        contact_sheet_fill(cr, bead_rgb_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width, meter);
     if (found->clean_index > 0)
         contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->clean_index * image->words.width), meter);
     if (s->several)
@@ -255,9 +249,8 @@ static enum bead_error find_indices(const struct contact_sheet *s, const struct 
 static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image,
                                     struct bead_message *msg)
 {
-    BEAD_FREED uint8_t *indices = calloc((size_t)image->picture.width, (size_t)image->picture.height);
-    if (!indices)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    BEAD_FREED uint8_t *indices = NULL;
+    BEAD_TRY(bead_new(&indices, (size_t)image->picture.width * (size_t)image->picture.height, msg, "a sheet"));
     BEAD_TRY(find_indices(s, image, indices, msg));
     return bead_raster_indices(cr, image->picture, indices, s->colours.map, msg);
 }

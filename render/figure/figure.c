@@ -85,14 +85,11 @@ static void reach_beyond(const struct bead_figure *f, struct bead_cell *cell)
 static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, double magnify, struct bead_message *msg)
 {
     const struct bead_views_asked *views = &f->output->views;
-    enum bead_error err = BEAD_OK;
     bool moments = bead_figure_looks_at_beads(f->output);
-    for (size_t v = 0; !err && v < f->view_count; v++) {
+    for (size_t v = 0; v < f->view_count; v++) {
         struct bead_tile *panel = &cell->panel[v];
         panel->cell = cell;
-        err = bead_view_take(views, v, &panel->type, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_view_take(views, v, &panel->type, msg));
         panel->setup = (struct bead_view_setup){
             .chain = f->context.chains[cell->chain],
             .chain_index = cell->chain,
@@ -115,13 +112,13 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
             .fine = true,
             .theory = f->output->shown.theory,
             .trust = f->output->shown.trust};
-        err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
+        BEAD_TRY(figure_find_span(f, cell->chain, &panel->setup.beads, msg));
     }
     reach_beyond(f, cell);
     f->coloured = bead_views_any(views, BEAD_SHOWS_COLOURS);
     f->collects = bead_views_any(views, BEAD_SHOWS_ALL_TIMES);
     f->stills = f->stills || moments;
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error make_cells(struct bead_figure *f, struct bead_message *msg)
@@ -147,17 +144,15 @@ static enum bead_error make_cells(struct bead_figure *f, struct bead_message *ms
 
 enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct bead_canvas *canvas, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t t = 0; !err && t < f->tile_count; t++) {
+    for (size_t t = 0; t < f->tile_count; t++) {
         struct bead_tile *panel = &f->tiles[t];
         if (bead_tile_collects(panel) != collecting)
             continue;
-        err = panel->type->create(&panel->setup, &panel->view, msg);
-        if (!err)
-            err =
-                panel->type->place(panel->view, panel->plot, bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) ? canvas : NULL, msg);
+        BEAD_TRY(panel->type->create(&panel->setup, &panel->view, msg));
+        BEAD_TRY(
+            panel->type->place(panel->view, panel->plot, bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) ? canvas : NULL, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Pixels along time of the figure's space-time image; 2000 for curves without one. */
@@ -193,21 +188,17 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
 {
     const struct bead_output *output = f->output;
     bool is_signed = bead_chain_signed(f->context.chains[0], output->shown.field);
-    enum bead_error err = bead_colour_range_check(output, msg);
-    if (!err)
-        err = bead_picture_times(output, &f->context, f->time, msg);
+    BEAD_TRY(bead_colour_range_check(output, msg));
+    BEAD_TRY(bead_picture_times(output, &f->context, f->time, msg));
     f->at = isnan(output->image.at) ? f->time[1] : output->image.at;
-    if (!err && f->at > f->context.end * (1 + 1e-9))
-        err = bead_output_wrong(output, msg, "at: is %g; the run ends at %g", f->at, f->context.end);
+    if (f->at > f->context.end * (1 + 1e-9))
+        return bead_output_wrong(output, msg, "at: is %g; the run ends at %g", f->at, f->context.end);
     f->at = fmin(f->at, f->context.end);
-    for (size_t c = 0; c < f->context.chain_count && output->shown.theory && !err; c++)
-        err = bead_theory_line_check(output, f->context.chains[c], msg);
-    if (!err)
-        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, false, &f->map, msg);
-    if (!err && bead_colour_range_rest(f->context.chains, f->context.chain_count, output->shown.field) > 0)
-        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, true, &f->map_about_rest, msg);
-    if (err)
-        return err;
+    for (size_t c = 0; c < f->context.chain_count && output->shown.theory; c++)
+        BEAD_TRY(bead_theory_line_check(output, f->context.chains[c], msg));
+    BEAD_TRY(bead_colour_range_map(output, f->context.chains[0], f->look.dark, false, &f->map, msg));
+    if (bead_colour_range_rest(f->context.chains, f->context.chain_count, output->shown.field) > 0)
+        BEAD_TRY(bead_colour_range_map(output, f->context.chains[0], f->look.dark, true, &f->map_about_rest, msg));
     /* the widest labels; the real range is known at the end */
     f->range = bead_colour_range_find(&output->colours, is_signed,
                                       &(struct bead_shown_values){is_signed ? -888 : 0, 888, .typical = INFINITY});
@@ -217,10 +208,10 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
 
 enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
 {
-    enum bead_error err = bead_figure_views(f, true, NULL, msg);
+    BEAD_TRY(bead_figure_views(f, true, NULL, msg));
     figure_choose_grid(f);
     explain(f);
-    return err;
+    return BEAD_OK;
 }
 
 /* Beads without axes need room for striker and wall. */

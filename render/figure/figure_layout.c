@@ -203,14 +203,13 @@ static enum bead_error measure_all(void *user, struct bead_message *msg)
 {
     struct plan *plan = user;
     struct bead_figure *f = plan->f;
-    enum bead_error err = BEAD_OK;
     place_all(plan);
-    for (size_t i = 0; !err && i < plan->grid.count; i++) {
+    for (size_t i = 0; i < plan->grid.count; i++) {
         struct bead_layout_box *box = &plan->grid.boxes[i];
-        err = figure_measure(f, &f->tiles[i], box->at.width, box->at.height, &box->reach, msg);
+        BEAD_TRY(figure_measure(f, &f->tiles[i], box->at.width, box->at.height, &box->reach, msg));
     }
     measure_bar(plan);
-    return err;
+    return BEAD_OK;
 }
 
 /* Arranges chains in columns and rows so that plots get the best shape; an empty quarter of the page is as bad as plots twice as

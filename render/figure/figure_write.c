@@ -79,13 +79,12 @@ static void find_horizons(struct bead_figure *f)
 
 static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
-        for (size_t m = 2 - panel->cell->moments; !err && !bead_tile_collects(panel) && m < 2; m++)
-            err = panel->type->feed(panel->view, &panel->cell->moment[m], msg);
+        for (size_t m = 2 - panel->cell->moments; !bead_tile_collects(panel) && m < 2; m++)
+            BEAD_TRY(panel->type->feed(panel->view, &panel->cell->moment[m], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* The moment, limited to the last two samples. */

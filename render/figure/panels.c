@@ -33,11 +33,8 @@ static enum bead_error make_words(struct bead_still *s, struct bead_message *msg
         return BEAD_OK;
     if (bead_page_titled(&s->page) && *title) {
         size_t size = 6 * strlen(title) + 1;
-        s->words.title = malloc(size);
-        if (s->words.title)
-            bead_text_escape(title, s->words.title, size);
-        if (!s->words.title)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+        BEAD_TRY(bead_new(&s->words.title, size, msg, "a figure"));
+        bead_text_escape(title, s->words.title, size);
     }
     if (caption && *caption)
         s->words.caption = bead_markup_new(caption);
@@ -96,9 +93,9 @@ static enum bead_error start_panel(struct still_panel *panel, struct bead_messag
         bead_plot_data_needs(panel->plot, &panel->needs);
         return BEAD_OK;
     }
-    enum bead_error err = bead_figure_start(panel->figure, msg);
+    BEAD_TRY(bead_figure_start(panel->figure, msg));
     bead_figure_needs(panel->figure, &panel->needs);
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error panels_create(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *s,
@@ -110,19 +107,14 @@ static enum bead_error panels_create(const struct bead_output *output, const str
     s->context = *context;
     s->count = count;
     s->alone = !panels_wanted(output);
-    enum bead_error err = bead_page_find(output, &s->page, msg);
-    if (!err) {
-        bead_page_look(&s->page, &output->paper, &s->look);
-        err = make_words(s, msg);
-    }
-    for (size_t p = 0; !err && p < count; p++)
-        err = panels_make_panel(s, p, msg);
-    if (!err)
-        err = panels_arrange(s, msg);
-    for (size_t p = 0; !err && p < count; p++)
-        err = start_panel(&s->panels[p], msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_page_find(output, &s->page, msg));
+    bead_page_look(&s->page, &output->paper, &s->look);
+    BEAD_TRY(make_words(s, msg));
+    for (size_t p = 0; p < count; p++)
+        BEAD_TRY(panels_make_panel(s, p, msg));
+    BEAD_TRY(panels_arrange(s, msg));
+    for (size_t p = 0; p < count; p++)
+        BEAD_TRY(start_panel(&s->panels[p], msg));
     join_grids(s);
     for (size_t p = 0; !s->tale && p < count; p++) {
         const struct bead_shown *shown = &s->panels[p].output->shown;

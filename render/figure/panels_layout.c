@@ -155,16 +155,15 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
 /* Lays panels out in their areas. `keep`: with their current insets; else the insets are measured. */
 static enum bead_error panels_put(struct bead_still *s, bool keep, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < s->count; p++) {
+    for (size_t p = 0; p < s->count; p++) {
         struct still_panel *panel = &s->panels[p];
         struct bead_insets kept = keep ? panel->insets : (struct bead_insets){0};
-        err = panel->figure ? bead_figure_put(panel->figure, panel->area, &kept, &panel->insets, msg)
-                            : put_plot(s, panel, &kept, msg);
+        BEAD_TRY(panel->figure ? bead_figure_put(panel->figure, panel->area, &kept, &panel->insets, msg)
+                               : put_plot(s, panel, &kept, msg));
         if (keep)
             panel->insets = kept;
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Heights of rows: plots take less than images, several views more. */
@@ -183,11 +182,9 @@ static double panels_weight_of(const struct bead_still *s, size_t row)
  * one's. */
 static enum bead_error make_grid(struct bead_still *s, struct bead_message *msg)
 {
-    enum bead_error err = bead_layout_make(s->count, s->rows + 2, s->count, &s->layout, msg);
+    BEAD_TRY(bead_layout_make(s->count, s->rows + 2, s->count, &s->layout, msg));
     struct bead_lane *rows = s->layout.rows.lane;
     double em = s->look.label, margin = s->look.margin;
-    if (err)
-        return err;
     rows[0].least = s->words.above;
     bead_lanes_want(rows + 1, s->rows, (struct bead_lane){.gap = round(between_rows * em), .least = smallest, .share = 1});
     rows[1 + s->rows].least = s->words.below;

@@ -133,17 +133,15 @@ static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame
 static enum bead_error panels_finish(struct bead_still *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
                                      struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     set_ranges(s);
-    for (size_t p = 0; !err && p < s->count; p++) {
+    for (size_t p = 0; p < s->count; p++) {
         struct still_panel *panel = &s->panels[p];
         if (panel->figure && bead_figure_needs_canvas(panel->figure) && !*canvas)
-            err = bead_canvas_create(s->context.canvas, s->page.width, s->page.height, canvas, msg);
-        if (!err)
-            err =
-                panel->figure ? bead_figure_finish(panel->figure, *canvas, msg) : bead_plot_data_finish(panel->plot, outcomes, msg);
+            BEAD_TRY(bead_canvas_create(s->context.canvas, s->page.width, s->page.height, canvas, msg));
+        BEAD_TRY(panel->figure ? bead_figure_finish(panel->figure, *canvas, msg)
+                               : bead_plot_data_finish(panel->plot, outcomes, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,

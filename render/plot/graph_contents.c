@@ -14,7 +14,7 @@ void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct b
 {
     const double on = ruler->vertical ? 5 : 1.2, off = ruler->vertical ? 3 : 2.2; /* thresholds, plateaus */
     double dashes[] = {on * look->line, off * look->line};
-    graph_set_colour(cr, look->faint);
+    bead_rgb_set(cr, look->faint);
     cairo_set_line_width(cr, look->line);
     cairo_set_dash(cr, dashes, 2, 0);
 }
@@ -50,8 +50,7 @@ static double within(double place)
 
 void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
 {
-    struct bead_rgb ground = look->dark ? look->panel : look->background;
-    graph_set_colour(cr, graph_mix(ground, look->accent, look->dark ? band_share_dark : band_share));
+    bead_rgb_set(cr, bead_rgb_mix(bead_look_ground(look), look->accent, look->dark ? band_share_dark : band_share));
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         const struct bead_ruler *ruler = &cell->panel->rulers[r];
         const struct bead_rect *plot = &cell->plot;

@@ -18,21 +18,6 @@ static const double paleness = 0.55, faint_paleness = 0.35, band_paleness = 0.22
 static const double jitter_share = 0.55, most_jitter = 1.6; /* most_jitter in units of the label's font size */
 static const double full_turn = 6.283185307179586;
 
-void graph_set_colour(cairo_t *cr, struct bead_rgb colour)
-{
-    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
-}
-
-struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part)
-{
-    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
-}
-
-static struct bead_rgb ground(const struct bead_look *look)
-{
-    return look->dark ? look->panel : look->background;
-}
-
 /* ---- points ---- */
 
 /* Corners on a circle of radius 1, rotated by `turn` of a full turn; a shape without corners is a circle. */
@@ -68,7 +53,7 @@ static void curve_outline(cairo_t *cr, const struct shape *shape, double x, doub
 static struct bead_rgb ink_of(const struct bead_look *look, const struct bead_series *series)
 {
     struct bead_rgb ink = bead_look_curve(look, series->colour);
-    return series->faint ? graph_mix(ground(look), ink, faint_paleness) : ink;
+    return series->faint ? bead_rgb_mix(bead_look_ground(look), ink, faint_paleness) : ink;
 }
 
 void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size)
@@ -78,10 +63,10 @@ void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct be
     struct bead_rgb ink = ink_of(look, series);
     curve_outline(cr, shape, x, y, shape->size * size);
     if (!shape->cross) {
-        graph_set_colour(cr, hollow ? ground(look) : ink);
+        bead_rgb_set(cr, hollow ? bead_look_ground(look) : ink);
         cairo_fill_preserve(cr);
     }
-    graph_set_colour(cr, ink);
+    bead_rgb_set(cr, ink);
     cairo_set_line_width(cr, shape->cross ? 1.5 * look->line : fmin(look->line, 0.5 * size));
     cairo_set_dash(cr, NULL, 0, 0);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
@@ -337,7 +322,7 @@ void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct 
     struct bead_rgb ink = ink_of(look, series);
     for (int i = 0; i < pattern->count; i++)
         lengths[i] = width * pattern->lengths[i];
-    graph_set_colour(cr, guide && !series->faint ? graph_mix(ground(look), ink, paleness) : ink);
+    bead_rgb_set(cr, guide && !series->faint ? bead_rgb_mix(bead_look_ground(look), ink, paleness) : ink);
     cairo_set_line_width(cr, width);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(cr, lengths, pattern->count, 0);
@@ -345,7 +330,7 @@ void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct 
 
 struct bead_rgb graph_band_colour(const struct bead_look *look, const struct bead_series *series)
 {
-    return graph_mix(ground(look), bead_look_curve(look, series->colour), band_paleness);
+    return bead_rgb_mix(bead_look_ground(look), bead_look_curve(look, series->colour), band_paleness);
 }
 
 /* ---- error bars ---- */
@@ -373,11 +358,11 @@ static void curve_draw_bar(cairo_t *cr, const struct graph_cell *cell, double x,
 static void stroke_over(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, struct bead_rgb ink, double width)
 {
     if (cell->panel->image) {
-        graph_set_colour(cr, ground(look));
+        bead_rgb_set(cr, bead_look_ground(look));
         cairo_set_line_width(cr, width + 2 * look->line);
         cairo_stroke_preserve(cr);
     }
-    graph_set_colour(cr, ink);
+    bead_rgb_set(cr, ink);
     cairo_set_line_width(cr, width);
     cairo_stroke(cr);
 }
@@ -407,7 +392,7 @@ static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct g
     cairo_line_to(cr, x + size, tip + length);
     cairo_line_to(cr, x, tip);
     cairo_close_path(cr);
-    graph_set_colour(cr, ink_of(look, series));
+    bead_rgb_set(cr, ink_of(look, series));
     cairo_set_line_width(cr, fmin(look->line, 0.5 * size));
     cairo_set_dash(cr, NULL, 0, 0);
     if (!series->hollow)
@@ -459,7 +444,7 @@ static void draw_band(cairo_t *cr, const struct bead_look *look, const struct gr
     for (size_t i = series->count; i-- > 0;)
         cairo_line_to(cr, px_x(cell, series->x[i]), px_y(cell, series->upper[i]));
     cairo_close_path(cr);
-    graph_set_colour(cr, graph_band_colour(look, series));
+    bead_rgb_set(cr, graph_band_colour(look, series));
     cairo_fill(cr);
     for (int k = 0; k < 2; k++) {
         edge.y = edges[k];

@@ -6,7 +6,7 @@
 static void graph_draw_words(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
 {
     struct bead_text_style style = graph_text(look);
-    style.colour = graph_mix(look->ink, look->faint, 0.6);
+    style.colour = bead_rgb_mix(look->ink, look->faint, 0.6);
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         const struct graph_word *word = &cell->words[r];
         if (word->state == GRAPH_WORD_PLACED)
@@ -50,7 +50,7 @@ enum bead_error graph_draw_all(cairo_t *cr, const struct graph_layout *layout, s
 {
     const struct bead_look *look = layout->look;
     if (!look->clear) {
-        graph_set_colour(cr, look->background);
+        bead_rgb_set(cr, look->background);
         cairo_rectangle(cr, 0, 0, layout->width, layout->height);
         cairo_fill(cr);
     }

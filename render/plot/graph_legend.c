@@ -164,7 +164,7 @@ static void draw_band_sample(const struct graph_entry *entry, const struct bead_
     double length = sample_length * em, half = 0.35 * em;
     cairo_new_path(cr);
     cairo_rectangle(cr, x, y - half, length, 2 * half);
-    graph_set_colour(cr, graph_band_colour(look, entry->series));
+    bead_rgb_set(cr, graph_band_colour(look, entry->series));
     cairo_fill(cr);
     graph_stroke_style(cr, look, entry->series, true);
     for (int side = -1; side <= 1; side += 2) {
@@ -200,13 +200,12 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
 /* Letters on the colours of an image would be illegible. */
 void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
 {
-    const struct bead_rgb page = look->dark ? look->panel : look->background;
     const double pad = 0.25 * type_of(legend, look);
     if (legend->box.width <= 0)
         return;
     cairo_new_path(cr);
     cairo_rectangle(cr, legend->box.x - pad, legend->box.y - pad, legend->box.width + 2 * pad, legend->box.height + 2 * pad);
-    graph_set_colour(cr, page);
+    bead_rgb_set(cr, bead_look_ground(look));
     cairo_fill(cr);
 }
 

@@ -147,8 +147,6 @@ void graph_ends_draw(const struct graph_cell *cell, const struct bead_look *look
 bool graph_series_end(const struct graph_cell *cell, const struct bead_series *series, double end[2]);
 
 /* Drawing. */
-void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
-struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
 struct bead_text_style graph_text(const struct bead_look *look);
 /* Series that one entry of a legend explains if their labels are equal. */
 bool graph_look_alike(const struct bead_series *a, const struct bead_series *b);

@@ -139,9 +139,7 @@ static enum bead_error find_axis(struct graph_layout *layout, int axis, struct b
         const struct bead_panel *panel = &graph->panels[p], *which = shared ? &graph->panels[0] : panel;
         const struct bead_graph_axis *settings = axis ? &which->y : &which->x;
         double range[2] = {shared ? all[0] : INFINITY, shared ? all[1] : -INFINITY};
-        enum bead_error err = range_check(settings, msg);
-        if (err)
-            return err;
+        BEAD_TRY(range_check(settings, msg));
         if (!shared)
             take_panel(panel, axis, range);
         range_settle(settings, axis ? widened_y : (shared ? points : has_points(panel)) ? widened_x : 0, range);

@@ -154,20 +154,18 @@ static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct 
 {
     char time[48];
     data->apart[0] = true;
-    enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
-    if (!err)
-        err = plot_reserve_chains(
-            data, (data->output->shown.theory ? 2 : 1) * data->output->curves.profile_time_count,
-            data->output->shown.theory ? 2 * POINTS * data->output->curves.profile_time_count : whole_room(data), msg);
-    const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
-                                              bead_chain_time_unit(data->context.chains[0]));
-    for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
-        plot_profiles_time_words(&words, data->output->curves.profile_times[m], time, sizeof time);
+    const double *times = data->output->curves.profile_times;
+    const size_t count = data->output->curves.profile_time_count;
+    const bool theory = data->output->shown.theory;
+    BEAD_TRY(bead_profile_times_create(data->output, &data->context, &data->moments, msg));
+    BEAD_TRY(plot_reserve_chains(data, (theory ? 2 : 1) * count, theory ? 2 * POINTS * count : whole_room(data), msg));
+    const struct time_words words = words_for(times, count, bead_chain_time_unit(data->context.chains[0]));
+    for (size_t m = 0; m < count; m++) {
+        plot_profiles_time_words(&words, times[m], time, sizeof time);
         snprintf(data->parts[0].labels[m], sizeof *data->parts[0].labels, "*t* = %s", time);
     }
-    if (!err)
-        plot_profiles_make_axes(data);
-    return err;
+    plot_profiles_make_axes(data);
+    return BEAD_OK;
 }
 
 static void plot_profiles_needs(const struct bead_plot_data *data, struct bead_needs *needs)

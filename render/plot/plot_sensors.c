@@ -73,10 +73,9 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
 {
     const struct bead_output *output = data->output;
     size_t most = 0;
-    enum bead_error err = bead_picture_times(output, &data->context, data->time, msg);
-    if (!err)
-        err = plot_reserve(data, 2 * data->context.chain_count, msg);
-    for (size_t c = 0; !err && c < data->context.chain_count; c++) {
+    BEAD_TRY(bead_picture_times(output, &data->context, data->time, msg));
+    BEAD_TRY(plot_reserve(data, 2 * data->context.chain_count, msg));
+    for (size_t c = 0; c < data->context.chain_count; c++) {
         const size_t sensors = bead_places_count(output, data->context.chains[c]);
         if (!plot_shows(data, c))
             continue;
@@ -87,10 +86,9 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         bead_curves_init(&part->differences, sensors, data->time);
         most = sensors > most ? sensors : most;
     }
-    if (!err)
-        err = plot_new(&data->store, &data->sample, most, msg);
-    if (err || data->count == 0)
-        return err;
+    BEAD_TRY(plot_new(&data->store, &data->sample, most, msg));
+    if (data->count == 0)
+        return BEAD_OK;
     data->residuals = data->apart[1] = output->curves.measured_count > 0;
     data->grid = bead_picture_grid(&data->context, &output->shown, data->time, moments);
     name_axis(data);
@@ -225,12 +223,11 @@ static void tell_trust(struct bead_plot_data *data)
 
 static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < data->count; p++)
-        err = plot_sensors_fill(data, p, msg);
-    if (!err && data->output->shown.trust)
+    for (size_t p = 0; p < data->count; p++)
+        BEAD_TRY(plot_sensors_fill(data, p, msg));
+    if (data->output->shown.trust)
         tell_trust(data);
-    return err;
+    return BEAD_OK;
 }
 
 const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, plot_sensors_create, plot_sensors_needs, plot_sensors_feed,

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/draw/looks.h"
 #include "sim/base/memory.h"
 
 /* Half the height of a line's box, in units of the font size. */
@@ -71,13 +72,12 @@ void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *
 
 void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour)
 {
-    cairo_set_source_rgb(sketch->cr, colour.r, colour.g, colour.b);
+    bead_rgb_set(sketch->cr, colour);
 }
 
 struct bead_rgb bead_sketch_mixed(const struct bead_look *look, struct bead_rgb colour, double part)
 {
-    struct bead_rgb b = look->background;
-    return (struct bead_rgb){b.r + part * (colour.r - b.r), b.g + part * (colour.g - b.g), b.b + part * (colour.b - b.b)};
+    return bead_rgb_mix(look->background, colour, part);
 }
 
 void bead_sketch_line(struct bead_sketch *sketch, double x0, double y0, double x1, double y1)

@@ -508,7 +508,7 @@ static void rulers_cross_at_their_values(void **)
         assert_int_equal(strokes.count, 4);
         for (size_t i = 0; i < 4; i++) {
             assert_bounds(&strokes.list[i], at_x(bands[i][0]), at_y(bands[i][3]), at_x(bands[i][2]), at_y(bands[i][1]));
-            assert_true(stroke_has(&strokes.list[i], true, graph_mix(page, look.accent, part)));
+            assert_true(stroke_has(&strokes.list[i], true, bead_rgb_mix(page, look.accent, part)));
         }
         free_canvas(&c);
     }
@@ -527,8 +527,8 @@ static void faint_curves_are_below(void **)
     draw_panel(series, 4);
     assert_int_equal(strokes.count, 5);
     const struct bead_rgb page = look.background;
-    assert_true(stroke_has(&strokes.list[0], false, graph_mix(page, bead_look_curve(&look, 1), 0.35)));
-    assert_true(stroke_has(&strokes.list[1], false, graph_mix(page, bead_look_curve(&look, 3), 0.35)));
+    assert_true(stroke_has(&strokes.list[0], false, bead_rgb_mix(page, bead_look_curve(&look, 1), 0.35)));
+    assert_true(stroke_has(&strokes.list[1], false, bead_rgb_mix(page, bead_look_curve(&look, 3), 0.35)));
     assert_true(stroke_has(&strokes.list[2], false, look.faint));
     assert_true(stroke_has(&strokes.list[3], false, bead_look_curve(&look, 0)));
     assert_true(stroke_has(&strokes.list[4], false, bead_look_curve(&look, 2)));
