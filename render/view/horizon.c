@@ -22,28 +22,18 @@ struct bead_horizon {
 
 enum bead_error bead_horizon_create(const struct bead_area_setup *setup, struct bead_horizon **horizon, struct bead_message *msg)
 {
-    *horizon = NULL;
-    struct bead_horizon *h;
-    BEAD_TRY(bead_new(&h, 1, msg, "a horizon"));
+    BEAD_TRY(bead_new(horizon, 1, msg, "a horizon"));
+    struct bead_horizon *h = *horizon;
     size_t beads = setup->beads.last - setup->beads.first + 1;
     h->setup = *setup;
     h->setup.places = beads < (size_t)setup->places ? (int)beads : setup->places;
     h->earliest = INT_MAX;
-    h->difference = calloc(setup->beads.last + 1, sizeof *h->difference);
-    h->means = calloc((size_t)h->setup.places, sizeof *h->means);
-    h->first = calloc((size_t)h->setup.places, sizeof *h->first);
-    enum bead_error err =
-        h->difference && h->means && h->first ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
-    if (!err)
-        err = bead_area_create(&h->setup, &h->area, msg);
-    if (err) {
-        bead_horizon_destroy(h);
-        return err;
-    }
+    BEAD_TRY(bead_new(&h->difference, setup->beads.last + 1, msg, "a horizon"));
+    BEAD_TRY(bead_new(&h->means, (size_t)h->setup.places, msg, "a horizon"));
+    BEAD_TRY(bead_new(&h->first, (size_t)h->setup.places, msg, "a horizon"));
     for (int p = 0; p < h->setup.places; p++)
         h->first[p] = INT_MAX;
-    *horizon = h;
-    return BEAD_OK;
+    return bead_area_create(&h->setup, &h->area, msg);
 }
 
 void bead_horizon_destroy(struct bead_horizon *horizon)

@@ -43,14 +43,8 @@ enum bead_error bead_hold_create(const struct bead_chain *chain, struct bead_spa
     h->lasting = isfinite(passage) ? passage * (double)h->cell / fmax(1, (double)bead_chain_contacts(chain)) : 0;
     for (size_t k = 0; k < SAMPLES; k++)
         h->time[k] = -INFINITY;
-    enum bead_error err = bead_new(&h->most, h->count, msg, "a profile");
-    if (!err)
-        err = bead_new(&h->ring, SAMPLES * h->count, msg, "a profile");
-    if (err) {
-        bead_hold_destroy(h);
-        *hold = NULL;
-    }
-    return err;
+    BEAD_TRY(bead_new(&h->most, h->count, msg, "a profile"));
+    return bead_new(&h->ring, SAMPLES * h->count, msg, "a profile");
 }
 
 void bead_hold_feed(struct bead_hold *h, double time, const double *values)

@@ -35,25 +35,18 @@ struct bead_tale {
 enum bead_error bead_tale_create(const struct bead_chain *const *chains, size_t count, enum bead_field field,
                                  struct bead_span beads, struct bead_tale **tale, struct bead_message *msg)
 {
-    struct bead_tale *t = *tale = calloc(1, sizeof *t + count * sizeof *t->chains);
-    bool good = t;
-    for (size_t c = 0; good && c < count; c++) {
-        struct chain_tale *k = &t->chains[c];
+    BEAD_TRY(bead_allocate(tale, 1, sizeof **tale + count * sizeof *(*tale)->chains, msg, "the words of a picture"));
+    struct bead_tale *t = *tale;
+    t->field = field;
+    for (size_t c = 0; c < count; c++) {
+        struct chain_tale *k = &t->chains[t->count++];
         const size_t all = bead_field_info(field)->of_contacts ? bead_chain_contacts(chains[c]) : bead_chain_beads(chains[c]);
         *k = (struct chain_tale){.chain = chains[c], .first = beads.first, .begun = NAN, .arrived = NAN};
         k->count = beads.first < all ? (beads.last < all ? beads.last + 1 : all) - beads.first : 0;
-        k->rest = calloc(2 * k->count + 1, sizeof *k->rest);
+        BEAD_TRY(bead_new(&k->rest, 2 * k->count + 1, msg, "the words of a picture"));
         k->largest = k->rest + k->count;
-        t->count = c + 1;
-        good = k->rest;
     }
-    if (good) {
-        t->field = field;
-        return BEAD_OK;
-    }
-    bead_tale_destroy(t);
-    *tale = NULL;
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the words of a picture");
+    return BEAD_OK;
 }
 
 void bead_tale_destroy(struct bead_tale *tale)

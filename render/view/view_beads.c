@@ -43,22 +43,20 @@ static void beads_destroy(struct bead_view *v)
     free(v);
 }
 
-static bool make_composed(struct bead_composed *c, size_t balls, size_t marks)
+static enum bead_error make_composed(struct bead_composed *c, size_t balls, size_t marks, struct bead_message *msg)
 {
-    c->balls = calloc(balls, sizeof *c->balls);
-    c->glow = calloc(balls, sizeof *c->glow);
-    c->marks = calloc(marks, sizeof *c->marks);
-    return c->balls && c->glow && c->marks;
+    BEAD_TRY(bead_new(&c->balls, balls, msg, "a view of beads"));
+    BEAD_TRY(bead_new(&c->glow, balls, msg, "a view of beads"));
+    return bead_new(&c->marks, marks, msg, "a view of beads");
 }
 
-static bool make_arrays(struct bead_view *v)
+static enum bead_error make_arrays(struct bead_view *v, struct bead_message *msg)
 {
+    struct bead_composed *const composed[] = {&v->row_drawing.now, &v->row_drawing.old, &v->lens_drawing.now, &v->lens_drawing.old};
     size_t n = v->count, sensors;
     (void)bead_chain_sensors(v->setup.chain, &sensors);
-    v->colour = calloc(n, sizeof *v->colour);
-    v->numbers = calloc(7 * n, sizeof *v->numbers);
-    if (!v->colour || !v->numbers)
-        return false;
+    BEAD_TRY(bead_new(&v->colour, n, msg, "a view of beads"));
+    BEAD_TRY(bead_new(&v->numbers, 7 * n, msg, "a view of beads"));
     for (size_t k = 0; k < 2; k++) {
         v->u[k] = v->numbers + k * n;
         v->value[k] = v->numbers + (2 + k) * n;
@@ -66,9 +64,9 @@ static bool make_arrays(struct bead_view *v)
     v->shift = v->numbers + 4 * n;
     v->shown = v->numbers + 5 * n;
     v->load = v->numbers + 6 * n;
-    size_t marks = n + sensors + 8;
-    return make_composed(&v->row_drawing.now, n, marks) && make_composed(&v->row_drawing.old, n, marks) &&
-           make_composed(&v->lens_drawing.now, n, marks) && make_composed(&v->lens_drawing.old, n, marks);
+    for (size_t k = 0; k < 4; k++)
+        BEAD_TRY(make_composed(composed[k], n, n + sensors + 8, msg));
+    return BEAD_OK;
 }
 
 static void beads_measure(struct bead_view *v)
@@ -105,9 +103,7 @@ static enum bead_error beads_create(const struct bead_view_setup *setup, struct 
     v->setup.look = &v->look;
     v->setup.colours.map = &v->map;
     beads_measure(v);
-    return make_arrays(v) ? BEAD_OK
-                          : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of %zu beads",
-                                      setup->beads.last - setup->beads.first + 1);
+    return make_arrays(v, msg);
 }
 
 static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
@@ -121,10 +117,10 @@ static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, s
     v->canvas = canvas;
     if (canvas && (v->area.width > canvas->width || v->area.height > canvas->height))
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads need a canvas of %d x %d pixels", v->area.width, v->area.height);
-    enum bead_error err = bead_beads_divide(v, msg);
-    if (!err && v->strip && !bead_beads_prepare_strip(v))
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a strip of %zu beads", v->count);
-    return err;
+    BEAD_TRY(bead_beads_divide(v, msg));
+    return v->strip && !bead_beads_prepare_strip(v)
+               ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a strip of %zu beads", v->count)
+               : BEAD_OK;
 }
 
 /* For a field of contacts, a bead shows the mean of its two contacts. */

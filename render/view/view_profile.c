@@ -209,9 +209,9 @@ static enum bead_error profile_make_curve(struct bead_view *v, struct bead_messa
     v->parts = bead_smooth_parts(pitch);
     v->dots = (float)(pitch > dot_room * line_width(v) ? dot_size * line_width(v) : 0);
     const size_t points = v->count * v->parts + 1;
-    v->sx = calloc(2 * points, sizeof *v->sx);
+    BEAD_TRY(bead_new(&v->sx, 2 * points, msg, "a profile of %zu beads", v->count));
     v->sy = v->sx + points;
-    return v->sx ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", v->count);
+    return BEAD_OK;
 }
 
 /* Places the values on the axis of the view that draws them, `on`. */
@@ -234,9 +234,7 @@ static void profile_spread(struct bead_view *v, const struct bead_view *on)
 static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *msg)
 {
     v->plot = plot;
-    v->changed = calloc((size_t)plot.width + 1, 1);
-    if (!v->changed)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile");
+    BEAD_TRY(bead_new(&v->changed, (size_t)plot.width + 1, msg, "a profile"));
     profile_find_ends(v);
     if (v->setup.camera)
         profile_find_places(v);

@@ -102,12 +102,11 @@ static enum bead_error sensors_place(struct bead_view *v, struct bead_rect plot,
 static enum bead_error add_forces(struct bead_view *v, struct bead_curves *curves, double time, const double *force,
                                   const double *comparison, struct bead_message *msg)
 {
-    enum bead_error err = bead_curves_reserve(curves, msg);
-    for (size_t k = 0; !err && k < v->count; k++)
+    BEAD_TRY(bead_curves_reserve(curves, msg));
+    for (size_t k = 0; k < v->count; k++)
         v->values[k] = force[v->sensors[k].bead] - (comparison ? comparison[v->sensors[k].bead] : 0);
-    if (!err)
-        bead_curves_add(curves, time, v->values);
-    return err;
+    bead_curves_add(curves, time, v->values);
+    return BEAD_OK;
 }
 
 static enum bead_error sensors_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)

@@ -112,15 +112,10 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
         v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->places, v->columns, BEAD_SAMPLING_AREA};
     struct bead_area_setup sampled = setup; /* the horizon always compares means */
     sampled.sampling = v->setup.sampling;
-    enum bead_error err = bead_area_create(&sampled, &v->area, msg);
-    if (!err && v->setup.trust)
-        err = bead_horizon_create(&setup, &v->horizon, msg);
-    if (!err && v->setup.theory)
-        err = bead_theory_line_create(&v->setup, &v->theory, msg);
-    if (!err && bead_along_uneven(&v->setup, v->places))
-        err = divide(v, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_area_create(&sampled, &v->area, msg));
+    BEAD_TRY(v->setup.trust ? bead_horizon_create(&setup, &v->horizon, msg) : BEAD_OK);
+    BEAD_TRY(v->setup.theory ? bead_theory_line_create(&v->setup, &v->theory, msg) : BEAD_OK);
+    BEAD_TRY(bead_along_uneven(&v->setup, v->places) ? divide(v, msg) : BEAD_OK);
     v->indices = bead_large_take((size_t)v->plot.width * (size_t)v->plot.height);
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
@@ -166,15 +161,14 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     const double *values = sample->field[v->setup.field], *comparison = sample->comparison[v->setup.field];
     if (v->setup.trust && !comparison)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
-    enum bead_error err = v->area ? BEAD_OK : spacetime_prepare(v, msg);
-    if (!err)
-        bead_area_feed(v->area, sample->time, values, sample->active);
-    if (!err && v->theory)
+    BEAD_TRY(v->area ? BEAD_OK : spacetime_prepare(v, msg));
+    bead_area_feed(v->area, sample->time, values, sample->active);
+    if (v->theory)
         bead_theory_line_feed(v->theory, sample);
-    if (!err && v->horizon)
+    if (v->horizon)
         bead_horizon_feed(v->horizon, sample->time, values, comparison,
                           sample->active > sample->comparison_active ? sample->active : sample->comparison_active);
-    return err;
+    return BEAD_OK;
 }
 
 /* Finds the colours of columns v->done .. to - 1. Columns without samples occur only at the ends and are skipped. */

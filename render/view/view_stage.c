@@ -63,14 +63,12 @@ static void place_beads(struct bead_view *v)
     }
 }
 
-static bool make_arrays(struct bead_view *v)
+static enum bead_error make_arrays(struct bead_view *v, struct bead_message *msg)
 {
     const size_t n = v->count, k = v->contacts;
-    v->numbers = calloc(4 * n + 4 * k + 1, sizeof *v->numbers);
-    v->balls = calloc(2 * n, sizeof *v->balls);
-    v->way = calloc(k + 1, sizeof *v->way);
-    if (!v->numbers || !v->balls || !v->way)
-        return false;
+    BEAD_TRY(bead_new(&v->numbers, 4 * n + 4 * k + 1, msg, "a stage"));
+    BEAD_TRY(bead_new(&v->balls, 2 * n, msg, "a stage"));
+    BEAD_TRY(bead_new(&v->way, k + 1, msg, "a stage"));
     v->old_balls = v->balls + n;
     v->u[0] = v->numbers;
     v->u[1] = v->u[0] + n;
@@ -80,7 +78,7 @@ static bool make_arrays(struct bead_view *v)
     v->force[1] = v->force[0] + k;
     v->load = v->force[1] + k;
     v->excess = v->load + k;
-    return true;
+    return BEAD_OK;
 }
 
 static enum bead_error stage_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
@@ -100,8 +98,7 @@ static enum bead_error stage_create(const struct bead_view_setup *setup, struct 
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
     v->contacts = v->has_contacts ? v->count - 1 + v->wall : v->count;
     v->full = bead_stage_full(setup);
-    if (!make_arrays(v))
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage of %zu beads", last - setup->beads.first + 1);
+    BEAD_TRY(make_arrays(v, msg));
     place_beads(v);
     return BEAD_OK;
 }
@@ -135,11 +132,8 @@ static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, 
         return BEAD_OK;
     memcpy(v->old_balls, v->balls, v->count * sizeof *v->balls);
     memcpy(v->old_window, v->window, sizeof v->window);
-    enum bead_error err = v->backdrop ? BEAD_OK : bead_backdrop_create(v->canvas, background, v->row, &v->backdrop, msg);
-    if (!err)
-        err = bead_paint_begin(v->canvas, v->backdrop, frame, (struct bead_rect){0, 0, v->row.width, v->row.height}, msg);
-    if (err)
-        return err;
+    BEAD_TRY(v->backdrop ? BEAD_OK : bead_backdrop_create(v->canvas, background, v->row, &v->backdrop, msg));
+    BEAD_TRY(bead_paint_begin(v->canvas, v->backdrop, frame, (struct bead_rect){0, 0, v->row.width, v->row.height}, msg));
     bead_paint_balls(v->canvas, v->balls, v->count);
     bead_paint_marks(v->canvas, v->window, sizeof v->window / sizeof *v->window);
     if (changes)
@@ -225,12 +219,11 @@ static enum bead_error stage_vector(struct bead_view *v, double time, cairo_t *c
 {
     if (v->latest.fed == 0)
         return BEAD_OK;
-    enum bead_error err = prepare(v, time, msg);
-    if (!err)
-        err = draw_stage(v, cr, msg);
-    if (!err && v->row.height > 0)
+    BEAD_TRY(prepare(v, time, msg));
+    BEAD_TRY(draw_stage(v, cr, msg));
+    if (v->row.height > 0)
         draw_row(v, cr);
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_stage_at_rest(const struct bead_view_setup *setup, struct bead_rect rect, cairo_t *cr,
