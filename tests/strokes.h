@@ -24,7 +24,7 @@ enum { STROKES_MOST = 20000, STROKE_POINTS_MOST = 400000 };
 struct stroke {
     bool filled;
     cairo_surface_type_t surface;
-    double width, rgb[3], dash[6];
+    double width, rgb[3], dash[6], dash_offset;
     int dashes;
     cairo_line_join_t join;
     size_t count, begun; /* points, parts that begin anew */
@@ -83,7 +83,7 @@ static void strokes_note(cairo_t *cr, bool filled)
                          .low = {INFINITY, INFINITY},
                          .high = {-INFINITY, -INFINITY}};
     if (s->dashes > 0 && s->dashes <= 6)
-        cairo_get_dash(cr, s->dash, NULL);
+        cairo_get_dash(cr, s->dash, &s->dash_offset);
     (void)cairo_pattern_get_rgba(cairo_get_source(cr), &s->rgb[0], &s->rgb[1], &s->rgb[2], &alpha);
     cairo_clip_extents(cr, &s->clip_low[0], &s->clip_low[1], &s->clip_high[0], &s->clip_high[1]);
     cairo_user_to_device(cr, &s->clip_low[0], &s->clip_low[1]);

@@ -241,7 +241,7 @@ static bool find_sizes(const struct bead_drafting *d, size_t material, struct be
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->context->scene;
-    BEAD_FREED bool *used = calloc(scene->material_count + 1, sizeof *used);
+    BEAD_FREED bool *used = calloc(scene->material_count, sizeof *used);
     size_t count = 0;
     d->sketch->failed = d->sketch->failed || !used;
     for (size_t c = 0; used && c < d->context->chain_count; c++) {

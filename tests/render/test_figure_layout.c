@@ -203,7 +203,8 @@ static void parts_stand_in_a_grid(void **state)
                  {"field: velocity, views: [beads, profile, spacetime], at: 0.3 ms", 2, true, false, false},
                  {"field: force, views: [profile], at: 0.3 ms", 4, false, false, false},
                  {"field: velocity, views: [beads, profile], at: 0.3 ms, beads: [0, 2]", 3, true, false, true},
-                 {"field: force, views: [beads, spacetime], at: 0.3 ms, beads: [3, 5]", 1, true, false, true}};
+                 {"field: force, views: [beads, spacetime], at: 0.3 ms, beads: [3, 5]", 1, true, false, true},
+                 {"field: force, views: [beads, profile], at: 0.3 ms", 3, true, false, false}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         for (size_t chains = 1; chains <= cases[k].most; chains++) {
             const size_t style = (k + chains) % STYLES;

@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+
 #include <cmocka.h>
 
 #include "render/schematic/schematic_sketch.h"
@@ -64,12 +66,25 @@ static void crowded_texts_are_noticed(void **state)
     boxes[1].x = 30;
 }
 
+static void cells_are_named_by_their_beads(void **state)
+{
+    (void)state;
+    static const char *const one[] = {"bead", "dimer", "trimer", "tetramer", "pentamer", "cell", "cell"};
+    for (size_t beads = 1; beads <= sizeof one / sizeof *one; beads++) {
+        char several[16];
+        snprintf(several, sizeof several, "%ss", one[beads - 1]);
+        assert_string_equal(bead_cell_word(beads, false), one[beads - 1]);
+        assert_string_equal(bead_cell_word(beads, true), several);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(labels_keep_their_places),
         cmocka_unit_test(labels_never_overlap),
         cmocka_unit_test(crowded_texts_are_noticed),
+        cmocka_unit_test(cells_are_named_by_their_beads),
     };
     return cmocka_run_group_tests_name("schematic labels", tests, NULL, NULL);
 }

@@ -672,7 +672,8 @@ static void theory_is_as_fast_as_its_force(void **)
         assert_true(dark->count == 2 && light->count == 2 && dark->rgb[0] == 0 && light->rgb[0] == 1);
         assert_at(dark->width, 3.5 * s.look.line);
         assert_at(light->width, 1.5 * s.look.line);
-        assert_true(light->dashes == 2 && light->dash[0] == 6 * s.look.line && light->dash[1] == 4 * s.look.line);
+        assert_true(light->dashes == 2 && light->dash_offset == 0 && light->dash[0] == 6 * s.look.line &&
+                    light->dash[1] == 4 * s.look.line);
         assert_true(light->clip_low[0] == LEFT && light->clip_high[0] == RIGHT);
         /* Rows of beads 0 to 60, each as high as the others; the top of a parabola through 20, 100, 0 is a little higher. */
         const double peak = 100 * (1 + 0.01 * (double)(passed - 1)), before = 20, after = 0.001, bend = before - 2 * peak + after;
