@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A file does not depend on what else a scene asks for: each output alone is, byte for byte, what it is among all the others, with
+ * their other samples, fields, beads, ends and accuracies; in any order, and with all threads. */
+#include <dirent.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "beadreel/sink.h"
+#include "sessions.h"
+#include "tests/scratch.h"
+
+enum { OUTPUTS_MOST = 20, BYTES_MOST = 1 << 18 };
+
+#define STRUCK "striker: {bead: large-steel, velocity: 1 m/s}, "
+static const struct {
+    double rounding;                           /* of sums that are near 0 */
+    const char *scene, *outputs[OUTPUTS_MOST]; /* without their files */
+} scenes[] = {
+    {0,
+     "chain: {" STRUCK "wall: brass, beads: [{cell: [large-steel, aluminium], count: 4}, {bead: ptfe, sensor: s}, {bead: "
+     "small-steel, count: 4}]}\nsimulate: {until: 80 us, step: 0.1 us}\n",
+     {"show: sensors, every: 0.7 us", "show: sensors, field: velocity, every: 1 us, beads: [2, 5]", "show: peaks",
+      "show: bead-peaks, beads: [3, 6]", "show: measures", "show: profiles, at: [50.2 us]",
+      "show: profiles, at: [10 us, 20 us, 35 us], field: displacement", "show: energy, every: 2 us",
+      "show: energy, parts: place, every: 1 us", "show: extremes, every: 1 us", "show: spreading", "show: chain",
+      "show: spectrum, beads: [2, 5], every: 0.5 us", "show: profiles, at: [50.8 us], field: energy"}},
+    {1e-15,
+     "chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 20}\n",
+     {"show: modes", "show: modes, every: 0.5", "show: profiles, at: [3.3], field: velocity", "show: profiles, at: [7.7]",
+      "show: profiles, at: [1, 2]", "show: sensors, beads: [3], every: 0.7"}},
+};
+
+static size_t read_file(const char *folder, size_t output, char *bytes)
+{
+    char path[600];
+    snprintf(path, sizeof path, "%s/%s/%zu.csv", directory, folder, output);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return 0;
+    const size_t count = fread(bytes, 1, BYTES_MOST, file);
+    fclose(file);
+    assert_true(count < BYTES_MOST);
+    bytes[count] = '\0';
+    return count;
+}
+
+/* Are two texts the same but for the last digits of numbers? Times are those of either grid, where two coincide. */
+static bool alike(const char *a, const char *b, double rounding)
+{
+    while (*a && *b) {
+        char *after_a, *after_b;
+        const double x = strtod(a, &after_a), y = strtod(b, &after_b);
+        if (after_a == a || after_b == b) {
+            if (*a++ != *b++)
+                return false;
+        } else if (!(fabs(x - y) <= 1e-11 * fabs(x) + rounding) && !(isnan(x) && isnan(y))) {
+            return false;
+        } else {
+            a = after_a;
+            b = after_b;
+        }
+    }
+    return *a == *b;
+}
+
+/* All outputs, or only one of them, into a folder. */
+static void play(size_t scene, const char *folder, const char *only, int threads)
+{
+    char text[4000], path[600], out[600];
+    int used = snprintf(text, sizeof text, "%soutputs:\n", scenes[scene].scene);
+    for (size_t i = 0; i < OUTPUTS_MOST && scenes[scene].outputs[i]; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - {table: %zu.csv, %s}\n", i, scenes[scene].outputs[i]);
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    snprintf(out, sizeof out, "%s/%s", directory, folder);
+    mkdir(out, 0777);
+    write_text(path, text);
+    play_counts((struct bead_job){.input = path, .output = out, .threads = threads, .only = &only, .only_count = only ? 1 : 0});
+}
+
+static void files_do_not_depend_on_others(void **)
+{
+    static char among[BYTES_MOST], alone[BYTES_MOST];
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        play(s, "all", NULL, 2);
+        for (size_t i = 0; i < OUTPUTS_MOST && scenes[s].outputs[i]; i++) {
+            char name[20];
+            snprintf(name, sizeof name, "%zu.csv", i);
+            play(s, "one", name, 1);
+            if (read_file("all", i, among) < 40 || read_file("one", i, alone) < 40 || !alike(among, alone, scenes[s].rounding))
+                fail_msg("scene %zu: '%s' alone differs from that among others", s, scenes[s].outputs[i]);
+        }
+    }
+}
+
+static int remove_folders(void **state)
+{
+    char path[600];
+    for (int k = 0; k < 2; k++) {
+        snprintf(path, sizeof path, "%s/%s", directory, k ? "one" : "all");
+        remove_files(path);
+    }
+    return remove_directory(state);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(files_do_not_depend_on_others)};
+    return cmocka_run_group_tests_name("outputs alone", tests, make_directory, remove_folders);
+}
