@@ -473,6 +473,70 @@ static void walls_are_mirrored(void **state)
     bead_frame_free(&frame);
 }
 
+/* The floor is of one colour near, of another far away, and goes from the one to the other without a step back. */
+static void floors_go_far(void **state)
+{
+    (void)state;
+    for (int theme = 0; theme < 2; theme++) {
+        struct bead_stage s;
+        open_stage(&s, themes[theme], 40);
+        float light[3], before[3];
+        double done = 0;
+        bead_stage_base(&s, s.centre + 1.21f * s.unit, before);
+        assert_memory_equal(before, s.theme->floor, sizeof before);
+        for (float up = -1.2f; up < 0.92f; up += 0.02f) {
+            bead_stage_base(&s, s.centre - up * s.unit, light);
+            for (int c = 0; c < 3; c++) {
+                const float step = (light[c] - before[c]) / (s.theme->back[c] - s.theme->floor[c]);
+                assert_true(step > -1e-5f && step < 0.02f);
+                done += step / 3.0;
+            }
+            memcpy(before, light, sizeof light);
+        }
+        assert_true(fabs(done - 1) < 1e-4);
+        bead_stage_close(&s);
+    }
+}
+
+/* Balls as they are baked: as high as seen from 12 degrees above, with the area of a disc, the same at the left and at the right
+ * but for their light; in the floor upside down and fainter, the more the deeper. */
+static void balls_are_round(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_stage s;
+    open_stage(&s, &bead_stage_dark, 37);
+    put_three(&s, (const double[]){0.7, 0.5, 0.2});
+    for (int i = 0; i < 3; i++)
+        s.beads[i].r = 37;
+    s.beads[0].near[0] = 0; /* baked alone, too */
+    require(bead_stage_prepare(&s, &msg), &msg);
+    const struct bead_stage_bake *bake = s.beads[0].bake;
+    const int wide = bake->wide, high = bake->high;
+    for (int k = 0; k < BEAD_STAGE_PICTURES; k++) {
+        const enum bead_stage_picture picture = (enum bead_stage_picture)k;
+        double area = 0, faint[2] = {0, 0};
+        for (int y = 0; y < high; y++) {
+            const float *rise = bead_stage_row(bake, picture, y, BEAD_STAGE_RISE),
+                        *cover = bead_stage_row(bake, picture, y, BEAD_STAGE_COVER),
+                        *form = bead_stage_row(bake, picture, y, BEAD_STAGE_FORM);
+            for (int x = 0; x < wide; x++) {
+                const double dx = (x + 0.5 - 0.5 * wide) / bake->r, dy = (0.5 * high - y - 0.5) / bake->r,
+                             z = 1 - dx * dx - dy * dy;
+                const double up = dy * cos(M_PI / 15) + sqrt(fmax(0, z)) * sin(M_PI / 15);
+                assert_true(z < 0 || fabs(rise[x] - (picture == BEAD_STAGE_MIRROR ? -up : up)) < 1e-5);
+                assert_true(fabsf(rise[x] - rise[wide - 1 - x]) < 1e-6f && cover[x] == cover[wide - 1 - x] &&
+                            fabsf(form[x] - form[wide - 1 - x]) < 1e-5f && form[x] >= 0 && form[x] <= 1);
+                area += cover[x];
+                faint[dy < 0] += form[x];
+            }
+        }
+        assert_true(picture == BEAD_STAGE_MIRROR ? area == 0 : fabs(area / (M_PI * bake->r * bake->r) - 1) < 0.002);
+        assert_true(faint[0] > 1.05 * faint[1]); /* contacts light what is above more; the image in the floor is fainter below */
+    }
+    bead_stage_close(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -480,7 +544,8 @@ int main(void)
         cmocka_unit_test(light_rises_with_force),   cmocka_unit_test(fine_stages_look_the_same),
         cmocka_unit_test(camera_rests_and_follows), cmocka_unit_test(waves_that_meet_are_both_in_the_window),
         cmocka_unit_test(own_materials_differ),     cmocka_unit_test(neighbours_hide_light),
-        cmocka_unit_test(walls_are_mirrored),
+        cmocka_unit_test(walls_are_mirrored),       cmocka_unit_test(floors_go_far),
+        cmocka_unit_test(balls_are_round),
     };
     return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
 }
