@@ -279,6 +279,24 @@ static void ranges_are_those_asked_for(void **)
     }
 }
 
+/* Without axes a plot is as wide as the page. */
+static void bare_plots_fill_the_page(void **)
+{
+    drawn_run("chain: {" STRIKER "beads: [{bead: large-steel, count: 4}]}\nsimulate: {until: 0.1 ms}\n"
+              "outputs: [{image: a.pdf, views: [profile], axes: false, style: paper, size: [127 mm, 50.8 mm], dpi: 72}]\n",
+              &drawn[0]);
+    size_t curves = 0;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        if (s->count < 5)
+            continue;
+        assert_true(fabs(s->clip_low[0]) < 0.1 && fabs(s->clip_high[0] - 360) < 0.1);
+        assert_true(fabs(s->clip_low[1]) < 0.1 && fabs(s->clip_high[1] - 144) < 0.1);
+        curves++;
+    }
+    assert_true(curves > 0);
+}
+
 /* A scale from the first and the last number of the lowest row, or the first two of the first column beside what a page shows. */
 struct scale {
     double at[2], value[2];
@@ -374,6 +392,7 @@ int main(void)
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
         cmocka_unit_test(images_show_their_time),
+        cmocka_unit_test(bare_plots_fill_the_page),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
 }
