@@ -31,7 +31,9 @@ if [ $# -gt 1 ]; then
     [ "$failed" -eq 0 ] || finish
 fi
 
-check "lintian has no errors" lintian --allow-root --fail-on error "$directory"/*.changes
+# Without what only warns, and reads all texts for it: a quarter of the time.
+without=files/unicode/trojan,files/contents/line-length,languages/python/distutils,binaries/spelling
+check "lintian has no errors" lintian --allow-root --fail-on error --dont-check-part $without "$directory"/*.changes
 packages="beadreel beadreel-data libbeadreel0 libbeadreel-dev python3-beadreel"
 all_there() { diff <(for d in "$directory"/*.deb; do dpkg-deb -f "$d" Package; done | sort) <(printf '%s\n' $packages | sort); }
 check "five packages" all_there
