@@ -61,7 +61,7 @@ static size_t read_files(char bytes[MOST_BYTES])
     return used;
 }
 
-/* Number of allocations of `act`; each has failed once, or of those by the same functions the first two. */
+/* Number of allocations of `act`; each has failed once, or of those by the same functions the program's first two. */
 static long fail_each(action act, const void *context)
 {
     static char whole[MOST_BYTES], made_then[MOST_BYTES];

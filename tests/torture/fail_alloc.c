@@ -113,14 +113,12 @@ static bool own(const void *caller)
     return from >= code_from && from < code_to && !ended;
 }
 
-/* Have there been two allocations by the same functions? Places whose hashes are equal count as one. */
+/* Have there been two allocations by the same functions since the program began? Places whose hashes are equal count as one. */
 static bool is_known(void)
 {
     static unsigned char times[1 << 16];
     void *by[CALLERS];
     uint64_t hash = 0;
-    if (!made)
-        memset(times, 0, sizeof times);
     for (int i = backtrace(by, CALLERS); i-- > 0;)
         hash = (hash ^ (uintptr_t)by[i]) * 0x9E3779B97F4A7C15;
     unsigned char *of_place = &times[hash >> 48];

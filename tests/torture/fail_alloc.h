@@ -17,7 +17,8 @@
 /* From now on the `at`-th allocation of the program's own code fails, once; 0: none. */
 void fail_alloc_begin(long at);
 
-/* None fails, but until the end known[k - 1] becomes whether two others of the same functions came before the k-th. */
+/* None fails, but until the end known[k - 1] becomes whether two others of the same functions, since the program began, came before
+ * the k-th. */
 void fail_alloc_note(bool *known, long room);
 
 /* Fail no more. Returns the number of allocations since the beginning; *kept: how many of them are not freed. */
