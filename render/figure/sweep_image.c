@@ -67,6 +67,15 @@ static enum bead_error run(struct ensemble *e, const struct bead_sweep_settings 
     return bead_sweep_watch(e->sweep, e->watches, e->count, settings, msg);
 }
 
+static const struct {
+    const char *name;
+    size_t offset; /* in struct bead_summary */
+} statistics[] = {[BEAD_SWEEP_MEDIAN] = {"median", offsetof(struct bead_summary, median)},
+                  [BEAD_SWEEP_MEAN] = {"mean", offsetof(struct bead_summary, mean)},
+                  [BEAD_SWEEP_DEVIATION] = {"standard deviation", offsetof(struct bead_summary, deviation)},
+                  [BEAD_SWEEP_LOWER_QUARTILE] = {"lower quartile", offsetof(struct bead_summary, quartile[0])},
+                  [BEAD_SWEEP_UPPER_QUARTILE] = {"upper quartile", offsetof(struct bead_summary, quartile[1])}};
+
 /* Over the configurations, in their order, for the same bits with any number of threads. */
 static double statistic(const struct ensemble *e, size_t at, double *values)
 {
@@ -74,18 +83,7 @@ static double statistic(const struct ensemble *e, size_t at, double *values)
     for (size_t i = 0; i < e->count; i++)
         values[i] = e->films[i].values[at];
     bead_summary_of(values, e->count, &summary);
-    const enum bead_sweep_show show = e->output->sweep_curves.show;
-    switch (show) {
-    case BEAD_SWEEP_MEDIAN:
-        return summary.median;
-    case BEAD_SWEEP_DEVIATION:
-        return summary.deviation;
-    case BEAD_SWEEP_LOWER_QUARTILE:
-    case BEAD_SWEEP_UPPER_QUARTILE:
-        return summary.quartile[show == BEAD_SWEEP_UPPER_QUARTILE];
-    default:
-        return summary.mean;
-    }
+    return *(const double *)(const void *)((const char *)&summary + statistics[e->output->sweep_curves.show].offset);
 }
 
 static enum bead_error reduce(struct ensemble *e, double *result, struct bead_message *msg)
@@ -97,17 +95,6 @@ static enum bead_error reduce(struct ensemble *e, double *result, struct bead_me
         result[at] = isnan(value) ? 0 : value; /* deviation of one chain */
     }
     return BEAD_OK;
-}
-
-static const char *statistic_name(const struct ensemble *e)
-{
-    const enum bead_sweep_show show = e->output->sweep_curves.show;
-    static const char *const names[] = {[BEAD_SWEEP_MEDIAN] = "median",
-                                        [BEAD_SWEEP_MEAN] = "mean",
-                                        [BEAD_SWEEP_DEVIATION] = "standard deviation",
-                                        [BEAD_SWEEP_LOWER_QUARTILE] = "lower quartile",
-                                        [BEAD_SWEEP_UPPER_QUARTILE] = "upper quartile"};
-    return names[show];
 }
 
 /* An image of one chain's run, fed with the ensemble's numbers. */
@@ -127,7 +114,7 @@ static enum bead_error open_drawing(const struct ensemble *e, const struct bead_
     d->output.path = (char *)(uintptr_t)path; /* read only */
     d->output.views.kinds[0] = BEAD_VIEW_SPACETIME;
     d->output.views.count = 1;
-    snprintf(d->title, sizeof d->title, "%s of %zu chains", statistic_name(e), e->count);
+    snprintf(d->title, sizeof d->title, "%s of %zu chains", statistics[e->output->sweep_curves.show].name, e->count);
     d->output.panel.title = d->title;
     BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, 0, &d->made, msg));
     d->chain = bead_sweep_chain_of(d->made);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* See plane.h. */
-#include "render/plot/plane.h"
+/* Planes as images: see sweep_plot.h. */
+#include "render/plot/sweep_plot.h"
 
 #include <math.h>
 #include <stdlib.h>

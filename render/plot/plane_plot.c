@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/plot/plane.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/sweep/sweep_internal.h"
 

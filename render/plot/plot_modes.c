@@ -6,23 +6,17 @@
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
 
-static void plot_modes_make_axes(struct bead_plot_data *data, double low)
-{
-    const struct bead_output *output = data->output;
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
-        data->panels[p].y =
-            (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->plot.range[1], output->plot.scale, true};
-    }
-}
-
 static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
+    const double *range = output->plot.range;
     BEAD_TRY(plot_times_create(data, output->curves.modes, "energies of modes", msg));
     for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
-    plot_modes_make_axes(data, output->plot.range[0]);
+    for (size_t p = 0; p < data->count; p++) {
+        const char *title = bead_chain_mode_title(data->context.chains[data->parts[p].chain]);
+        data->panels[p].y = (struct bead_graph_axis){title, "", range[0], range[1], output->plot.scale, true};
+    }
     return BEAD_OK;
 }
 
@@ -61,11 +55,11 @@ static enum bead_error plot_modes_finish(struct bead_plot_data *data, const stru
     double low = isnan(output->plot.range[0]) ? lowest(data) : output->plot.range[0];
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
+        part->shown->y.low = low;
         for (size_t k = 0; k < output->curves.modes; k++)
             plot_add(part, plot_line(data->sample, part->values + k * bead_grid_count(&data->grid), part->taken,
                                      p == 0 ? part->labels[k] : NULL, k));
     }
-    plot_modes_make_axes(data, low);
     return BEAD_OK;
 }
 

@@ -8,30 +8,15 @@
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/sink_grid.h"
 
-/* Times of a curve unless the scene gives an interval; more would not be visible. */
+/* Times of a curve unless the scene gives an interval, or a trajectory has its own; more would not be visible. */
 static const double most_times = 4000;
-
-/* The requested interval, or as many times as are visible; replayed samples keep their times. */
-static struct bead_grid even_grid(const struct bead_output *output, const struct bead_run_context *context)
-{
-    const struct bead_grid *native = &context->native;
-    double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
-    double to = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
-    if (native->every > 0) {
-        double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
-        double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
-        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end), false};
-    }
-    double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
-    return (struct bead_grid){from, every, to, false};
-}
 
 enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what, struct bead_message *msg)
 {
-    if (bead_show_type(data->output->curves.show)->of_powers)
-        BEAD_TRY(bead_sink_grid(data->output, &data->context, &data->grid, msg));
-    else
-        data->grid = even_grid(data->output, &data->context);
+    struct bead_grid *grid = &data->grid;
+    BEAD_TRY(bead_sink_grid(data->output, &data->context, grid, msg));
+    if (!grid->widens && !(data->output->shown.every > 0 || data->context.native.every > 0))
+        grid->every = fmax(data->context.resolution, (grid->end - grid->start) / most_times);
     const size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_output_wrong(data->output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every,

@@ -21,6 +21,17 @@ BEAD_CHECK enum bead_error sweep_plot_fill_keys(struct bead_plot_data *data, swe
 /* "striker velocity" for chain.striker.velocity; "magnetism" for chain.beads.0.magnetism: a text of the panel. */
 const char *sweep_plot_key_name(struct plot_panel *part, const struct bead_over *over, size_t key);
 
+/* Values known at points of a plane, as an image: each point has the box that ends half-way to its neighbours. */
+struct bead_plane_point {
+    double x, y, value;
+};
+
+/* Sorts the points. Columns are the points of equal x, each with its own values of y. Half-way is measured along the axes, whose
+ * scales are linear or logarithmic; `ends` [x and y][2] are those of the boxes. image->values are to be freed; its title and unit
+ * are the caller's. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_plane_make(struct bead_plane_point *points, size_t count, const enum bead_scale scales[2],
+                                           struct bead_graph_image *image, double ends[2][2], struct bead_message *msg);
+
 /* Adds a curve of a statistic that looks like `series`, a mean with its bars, or the band between the quartiles. */
 enum sweep_plot_statistic { SWEEP_PLOT_MEAN, SWEEP_PLOT_MEDIAN, SWEEP_PLOT_QUARTILES };
 enum { SWEEP_PLOT_COLUMNS = 3 /* numbers of a point */ };

@@ -54,57 +54,57 @@ bool bead_sweep_runs_own(const struct bead_sweep_curves_asked *asked)
            (asked->measure && *asked->measure);
 }
 
-/* Curves of chains: of one sweep over keys. */
-static BEAD_OUTPUT_CHECK(check_lines)
+/* Does one of the sweeps have what numbers and their statistics show? */
+static enum bead_error check_numbers(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
+                                     const struct bead_sweep_spec *sweep)
 {
-    const struct bead_scene *scene = reader->scene;
-    if (!(scene->sweep_count == 1 && scene->sweeps[0].over.key_count))
-        return BEAD_WRONG_KEY(reader, at, "show", "has curves of the chains of one sweep over keys: `sweep: {over: ...}`");
-    return bead_output_check_lines(reader, at, output);
+    const struct bead_sweep_curves_asked *asked = &output->sweep_curves;
+    const bool keys = sweep->over.key_count, decay = asked->show == BEAD_SWEEP_DECAY,
+               spreading = asked->show == BEAD_SWEEP_SPREADING, plot = output->kind == BEAD_OUTPUT_PLOT;
+    if (!keys && *asked->against && !(plot && !decay && bead_order_named(asked->against) < BEAD_ORDERS))
+        return BEAD_WRONG_KEY(reader, at, "against",
+                              "is given, but the sweep is over spins; plots of their peaks can be against `domain length`, "
+                              "`spin correlation` or `spin correlation at 2`");
+    if (!keys && output->plot.scale != BEAD_SCALE_LINEAR)
+        return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is over spins, whose axes are linear");
+    if (keys && decay)
+        return BEAD_WRONG_KEY(reader, at, "show", "decay is fitted for each magnetism, which a sweep over keys does not have");
+    if (*asked->measure && (!keys || spreading || asked->show == BEAD_SWEEP_CONFIGURATIONS))
+        return BEAD_WRONG_KEY(reader, at, "measure", "is given, but means of a measure are those of a sweep over keys");
+    if (spreading && !(keys && reader->scene->sweep_count == 1))
+        return BEAD_WRONG_KEY(reader, at, "show",
+                              "spreading is averaged over the seeds of one sweep over keys: `sweep: {over: ...}`");
+    if (spreading && isnan(reader->scene->simulate.until))
+        return BEAD_WRONG_KEY(reader, at, "show",
+                              "is spreading, of chains that run as long as each other: give `simulate: {until: ...}`");
+    if (!spreading && output->kind == BEAD_OUTPUT_TABLE && !output->curves.uncertainty)
+        return BEAD_WRONG_KEY(reader, at, "uncertainty", "is false, but a sweep measures that of peaks as it runs");
+    if (decay && !sweep->measures.decay)
+        return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");
+    if (!decay && !spreading && !sweep->measures.peak)
+        return BEAD_WRONG_KEY(reader, at, "show", "peaks are not measured (measure: {peak: none}); must be decay");
+    return BEAD_OK;
 }
 
 BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
     static const char *const of_lines[] = {"field", "beads", "contacts", "every", "time", "window", "segment", "frequencies", NULL};
-    if (output->shown.theory && output->sweep_curves.show != BEAD_SWEEP_SPREADING)
+    const struct bead_scene *scene = reader->scene;
+    const enum bead_sweep_show show = output->sweep_curves.show;
+    if (output->shown.theory && show != BEAD_SWEEP_SPREADING)
         return BEAD_WRONG_KEY(reader, at, "theory", "belongs to `show: spreading`");
-    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
-        return check_lines(reader, at, output);
+    if (bead_sweep_lines(show) != BEAD_SHOW_COUNT && !(scene->sweep_count == 1 && scene->sweeps[0].over.key_count))
+        return BEAD_WRONG_KEY(reader, at, "show", "has curves of the chains of one sweep over keys: `sweep: {over: ...}`");
+    if (bead_sweep_lines(show) != BEAD_SHOW_COUNT)
+        return bead_output_check_lines(reader, at, output);
     BEAD_TRY(bead_without(reader, at, of_lines, "belongs to `show: sensors`, `spectrum`, `transfer` or `dispersion`"));
-    if (output->kind == BEAD_OUTPUT_PLOT && output->sweep_curves.show == BEAD_SWEEP_PLANE)
+    if (output->kind == BEAD_OUTPUT_PLOT && show == BEAD_SWEEP_PLANE)
         BEAD_TRY(check_plane(reader, at, output));
-    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY, spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;
-    if (decay && output->plot.range[0] <= 0)
+    if (show == BEAD_SWEEP_DECAY && output->plot.range[0] <= 0)
         return BEAD_WRONG_KEY(reader, at, "range", "begins at %g; must be above 0: the axes of decay are logarithmic",
                               output->plot.range[0]);
-    for (size_t i = 0; i < reader->scene->sweep_count; i++) {
-        const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
-        if (!sweep->over.key_count && *output->sweep_curves.against &&
-            !(output->kind == BEAD_OUTPUT_PLOT && !decay && bead_order_named(output->sweep_curves.against) < BEAD_ORDERS))
-            return BEAD_WRONG_KEY(reader, at, "against",
-                                  "is given, but the sweep is over spins; plots of their peaks can be against `domain length`, "
-                                  "`spin correlation` or `spin correlation at 2`");
-        if (!sweep->over.key_count && output->plot.scale != BEAD_SCALE_LINEAR)
-            return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is over spins, whose axes are linear");
-        if (sweep->over.key_count && decay)
-            return BEAD_WRONG_KEY(reader, at, "show", "decay is fitted for each magnetism, which a sweep over keys does not have");
-        if (*output->sweep_curves.measure &&
-            (!sweep->over.key_count || spreading || output->sweep_curves.show == BEAD_SWEEP_CONFIGURATIONS))
-            return BEAD_WRONG_KEY(reader, at, "measure", "is given, but means of a measure are those of a sweep over keys");
-        if (spreading && !(sweep->over.key_count && reader->scene->sweep_count == 1))
-            return BEAD_WRONG_KEY(reader, at, "show",
-                                  "spreading is averaged over the seeds of one sweep over keys: `sweep: {over: ...}`");
-        if (spreading && isnan(reader->scene->simulate.until))
-            return BEAD_WRONG_KEY(reader, at, "show",
-                                  "is spreading, of chains that run as long as each other: give `simulate: {until: ...}`");
-        if (!spreading && bead_sweep_lines(output->sweep_curves.show) == BEAD_SHOW_COUNT && output->kind == BEAD_OUTPUT_TABLE &&
-            !output->curves.uncertainty)
-            return BEAD_WRONG_KEY(reader, at, "uncertainty", "is false, but a sweep measures that of peaks as it runs");
-        if (decay && !sweep->measures.decay)
-            return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");
-        if (!decay && !spreading && !sweep->measures.peak)
-            return BEAD_WRONG_KEY(reader, at, "show", "peaks are not measured (measure: {peak: none}); must be decay");
-    }
+    for (size_t i = 0; i < scene->sweep_count; i++)
+        BEAD_TRY(check_numbers(reader, at, output, &scene->sweeps[i]));
     return BEAD_OK;
 }
 

@@ -3,7 +3,7 @@
  * columns have different rows; and a graph shows it there. */
 #include "graphs.h"
 #include "render/draw/looks.h"
-#include "render/plot/plane.h"
+#include "render/plot/sweep_plot.h"
 
 static void assert_near(double value, double expected, double error)
 {
