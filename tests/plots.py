@@ -461,10 +461,12 @@ outputs:
 
 def planes():
     """Colours over two keys: the boxes of the outer values end as far beyond them as half way to the next."""
-    run("planes.yaml", """chain: {beads: [{bead: large-steel, count: 10}]}
-sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s, 4 m/s], chain.beads.0.count: [10, 30]}, measure: {beads: [3, 3]}}
-outputs: [{plot: plane.svg, show: plane}]
+    run("planes.yaml", """chain: {beads: [{bead: large-steel, count: 10}, {bead: large-steel, sensor: near}, {bead: large-steel, sensor: far}]}
+sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s, 4 m/s], chain.beads.0.count: [10, 30]}, measure: {sensor: [near, far]}}
+outputs: [{plot: plane.svg, show: plane}, {plot: speed.svg, show: plane, measure: front speed}]
 """)
+    titles = [[panel.title for panel in read(file)] for file in ("plane.svg", "speed.svg")]
+    tap.ok(titles == [["(a)\u2002near", "(b)\u2002far"], [""]], "planes are named after their places, that of a measure has none", titles)
     panel = read("plane.svg")[0]
     left, top, right, bottom = panel.frame
     edges = [panel.axes[0].at(x) for x in (0.5, 5)] + [panel.axes[1].at(y) for y in (0, 40)]
