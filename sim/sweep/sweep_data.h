@@ -116,8 +116,9 @@ struct sweep_entry {
     double magnetism;
     size_t index;
 };
-/* All of a panel, *count, in order of magnetism; to be freed with free(). NULL: out of memory. */
-struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count);
+/* All of a panel, *count, in order of magnetism; to be freed with free(). Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, struct sweep_entry **entries,
+                                              size_t *count, struct bead_message *msg);
 /* Number of entries from `first` on with equal magnetism. */
 size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first);
 

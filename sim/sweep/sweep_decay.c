@@ -176,10 +176,9 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "the chain with all cells up, by which forces are normalised, is not known here");
     p.random = p.shown->spec->last + 1;
     p.cell = random_cell(sweep, p.shown);
-    BEAD_FREED struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &all);
+    BEAD_FREED struct sweep_entry *entries = NULL;
     BEAD_FREED double *memory = NULL;
-    if (!entries)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
+    BEAD_TRY(bead_sweep_entries(sweep, panel, &entries, &all, msg));
     BEAD_TRY(bead_new(&memory, (all + 1) * (2 * p.random + p.shown->beads + 1), msg, "the decay of a sweep"));
     p.logs = memory;
     p.changes = p.logs + (all + 1) * 2 * p.random;

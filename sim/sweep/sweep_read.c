@@ -286,48 +286,48 @@ static enum bead_error check_all(const struct bead_sweep *all, size_t parts, con
     return BEAD_OK;
 }
 
+/* Adds a part to *all, or begins it with the first. `file_of`: the number of the file of each part; SIZE_MAX: none. */
+static enum bead_error add_part(const char *const *paths, size_t i, struct bead_sweep **all, size_t **file_of,
+                                struct bead_message *msg)
+{
+    struct bead_sweep *part;
+    BEAD_TRY(bead_sweep_open(paths[i], NULL, &part, msg));
+    enum bead_error err =
+        *all ? check_part(*all, paths[0], part, paths[i], msg) : bead_new(file_of, part->parts, msg, "%zu parts", part->parts);
+    if (!err && !*all)
+        memset(*file_of, 0xff, part->parts * sizeof **file_of);
+    size_t *file = err ? NULL : &(*file_of)[part->part - 1];
+    if (!err && *file != SIZE_MAX)
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, as %s is", paths[i], part->part, part->parts, paths[*file]);
+    if (!err)
+        *file = i;
+    if (!err && !*all) {
+        *all = part;
+        return BEAD_OK;
+    }
+    if (!err)
+        take_part(*all, part);
+    bead_sweep_close(part);
+    return err;
+}
+
 enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep, struct bead_message *msg)
 {
     *sweep = NULL;
     if (count == 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "no parts to merge");
     struct bead_sweep *all = NULL;
-    size_t *file_of = NULL, parts = 0;
+    BEAD_FREED size_t *file_of = NULL;
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < count && !err; i++) {
-        struct bead_sweep *part = NULL;
-        err = bead_sweep_open(paths[i], NULL, &part, msg);
-        if (!err && all)
-            err = check_part(all, paths[0], part, paths[i], msg);
-        if (!err && !all) {
-            parts = part->parts;
-            file_of = malloc(parts * sizeof *file_of);
-            if (!file_of)
-                err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu parts", parts);
-            for (size_t k = 0; file_of && k < parts; k++)
-                file_of[k] = SIZE_MAX;
-        }
-        if (!err && file_of[part->part - 1] != SIZE_MAX)
-            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, as %s is", paths[i], part->part, parts,
-                            paths[file_of[part->part - 1]]);
-        if (!err)
-            file_of[part->part - 1] = i;
-        if (!err && all)
-            take_part(all, part);
-        if (!err && !all) {
-            all = part;
-            part = NULL;
-        }
-        bead_sweep_close(part);
-    }
+    for (size_t i = 0; i < count && !err; i++)
+        err = add_part(paths, i, &all, &file_of, msg);
     if (!err)
-        err = check_all(all, parts, file_of, msg);
-    if (!err)
-        all->part = all->parts = 1;
-    free(file_of);
-    if (err)
+        err = check_all(all, all->parts, file_of, msg);
+    if (err) {
         bead_sweep_close(all);
-    else
-        *sweep = all;
-    return err;
+        return err;
+    }
+    all->part = all->parts = 1;
+    *sweep = all;
+    return BEAD_OK;
 }

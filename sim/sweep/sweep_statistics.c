@@ -20,19 +20,19 @@ static int by_magnetism(const void *a, const void *b)
     return (p->index > q->index) - (p->index < q->index);
 }
 
-struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count)
+enum bead_error bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, struct sweep_entry **entries, size_t *count,
+                                   struct bead_message *msg)
 {
-    size_t all = sweep->panels[panel].shown.configurations;
-    struct sweep_entry *entries = calloc(all + 1, sizeof *entries);
+    const size_t all = sweep->panels[panel].shown.configurations;
     *count = 0;
-    for (size_t i = 0; entries && i < all; i++) {
+    BEAD_TRY(bead_new(entries, all + 1, msg, "the statistics of a sweep"));
+    for (size_t i = 0; i < all; i++) {
         struct bead_sweep_configuration c;
         if (bead_sweep_configuration(sweep, panel, i, &c))
-            entries[(*count)++] = (struct sweep_entry){c.magnetism, i};
+            (*entries)[(*count)++] = (struct sweep_entry){c.magnetism, i};
     }
-    if (entries)
-        qsort(entries, *count, sizeof *entries, by_magnetism);
-    return entries;
+    qsort(*entries, *count, sizeof **entries, by_magnetism);
+    return BEAD_OK;
 }
 
 size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first)
@@ -162,12 +162,11 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
                          "the chain with all cells up has no force at `%s` that others could be normalised by",
                          bead_sweep_place(sweep, panel, place));
     size_t count = 0;
-    struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &count);
-    s->values = calloc(count + 1, sizeof *s->values);
-    s->indices = calloc(count + 1, sizeof *s->indices);
-    enum bead_error err = entries && s->values && s->indices
-                              ? BEAD_OK
-                              : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
+    BEAD_FREED struct sweep_entry *entries = NULL;
+    BEAD_TRY(bead_sweep_entries(sweep, panel, &entries, &count, msg));
+    enum bead_error err = bead_new(&s->values, count + 1, msg, "the statistics of a sweep");
+    if (!err)
+        err = bead_new(&s->indices, count + 1, msg, "the statistics of a sweep");
     for (size_t i = 0; i < count && !err; i++) {
         bead_sweep_configuration(sweep, panel, entries[i].index, &c);
         s->values[i] = c.peaks[place].force / s->clean;
@@ -177,7 +176,6 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
         err = fill_rows(s, entries, count, msg);
     if (!err)
         err = find_threshold(s, name_of(threshold), sweep->panels[panel].shown.spec->seed, msg);
-    free(entries);
     if (err)
         bead_sweep_statistics_free(s);
     return err;
