@@ -105,7 +105,7 @@ static void powers_have_their_exponents(void **state)
             assert_true(isnan(gamma.slope) && isnan(gamma.error));
     }
     const struct bead_line gamma = bead_spreading_exponent(&t.s, BEAD_SECOND_MOMENT),
-                               eta = bead_spreading_exponent(&t.s, BEAD_PARTICIPATION);
+                           eta = bead_spreading_exponent(&t.s, BEAD_PARTICIPATION);
     assert_near(gamma.slope, 2, 1e-12);
     assert_near(gamma.offset, 0, 1e-11);
     assert_below(gamma.error, 1e-12);
