@@ -244,6 +244,27 @@ static void test_peaks_below_a_logarithmic_axis_are_marked(void **state)
     free(closed.rgb);
 }
 
+/* A logarithmic axis has the same room above the largest and below the least value: their middle is the plot's, for any of them. */
+static void test_logarithmic_axes_have_equal_room(void **state)
+{
+    (void)state;
+    static const double values[2][CONTACTS] = {{100, 50, 20, 10, 5, 2, 1, 1, 1, 1}, {100, 90, 80, 70, 60, 60, 60, 60, 60, 60}};
+    int sum[2];
+    for (int k = 0; k < 2; k++) {
+        struct png_file png = draw_peaks("plot: peaks.png, show: peaks, scale: log, size: [640, 400]", values[k], 99, 99);
+        int first = png.height, last = 0;
+        for (int y = 0; y < png.height; y++) {
+            const bool inked = count_ink(&png, 0, png.width, y, y + 1) > 0;
+            first = inked && y < first ? y : first;
+            last = inked ? y : last;
+        }
+        sum[k] = first + last;
+        assert_true(first > 0 && last > first + 100);
+        free(png.rgb);
+    }
+    assert_true(abs(sum[0] - sum[1]) <= 1);
+}
+
 /* A peak of the first passage, after which the force was larger, is hollow, and stays on the line. */
 static void test_exceeded_peaks_are_hollow(void **state)
 {
@@ -392,6 +413,7 @@ int main(void)
         cmocka_unit_test(test_peaks_stand_at_their_height),
         cmocka_unit_test(test_peaks_below_a_logarithmic_axis_are_marked),
         cmocka_unit_test(test_exceeded_peaks_are_hollow),
+        cmocka_unit_test(test_logarithmic_axes_have_equal_room),
         cmocka_unit_test(test_uncertain_peaks_have_bars),
         cmocka_unit_test(test_peaks_are_not_cut),
         cmocka_unit_test(test_long_names_leave_the_others),
