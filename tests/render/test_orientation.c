@@ -158,6 +158,20 @@ struct paper {
     struct texts seen;
 };
 
+/* Both beads of each dimer have its spin; the mean of the first six, which are random, is the magnetism. The striker has none. */
+static void assert_spins(const struct contact_image *image)
+{
+    enum { CELLS = 6, IN_CELL = 2 };
+    size_t count = 0;
+    double sum = 0;
+    assert_true(image->spin[0] < 0);
+    for (size_t i = 1; i < image->beads && image->spin[i] >= 0; i++) {
+        sum += count < CELLS * IN_CELL ? 2 * image->spin[i] - 1 : 0;
+        assert_true(++count % IN_CELL == 1 || image->spin[i - 1] == image->spin[i]);
+    }
+    assert_true(count + 1 == image->beads && fabs(sum / (CELLS * IN_CELL) - image->magnetism) < 1e-12);
+}
+
 static void open_paper(struct paper *p, enum bead_orientation orientation, int width, int height)
 {
     const struct bead_text_watch watch = {see, &p->seen};
@@ -174,6 +188,8 @@ static void open_paper(struct paper *p, enum bead_orientation orientation, int w
     p->sheet = (struct contact_sheet){.output = &p->scene->outputs[0], .sweep = p->sweep};
     if (contact_sheet_make(&p->sheet, &settings, &msg))
         fail_msg("%s", msg.text);
+    for (size_t i = 0; i < p->sheet.image_count; i++)
+        assert_spins(&p->sheet.images[i]);
     p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     assert_true(bead_text_watch(p->surface, &watch));
     cairo_t *cr = cairo_create(p->surface);
