@@ -413,6 +413,22 @@ static void test_what_the_lens_shows_is_marked(void **state)
     free_world(&w);
 }
 
+/* Beads that overlap end at one plane, which parts their distance as their radii do; others are whole. Returns how many do. */
+static size_t count_pressed(const struct bead_composed *beads)
+{
+    size_t pressed = 0;
+    for (size_t i = 0; i + 1 < beads->count; i++) {
+        const struct bead_ball *a = &beads->balls[i], *b = a + 1;
+        const float distance = b->x - a->x, both = a->r + b->r;
+        if (distance < both)
+            assert_true(a->right == b->left && fabsf(a->right - a->x - distance * a->r / both) < 1e-3f);
+        else
+            assert_true(a->right >= a->x + a->r && b->left <= b->x - b->r);
+        pressed += distance < both;
+    }
+    return pressed;
+}
+
 /* The striker's arrow is as long as it is for its first speed times the part that is left; a bead has the mean of the forces of its
  * contacts, at the ends its only one. */
 static void test_arrows_and_means(void **state)
@@ -441,7 +457,7 @@ static void test_arrows_and_means(void **state)
         require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
         require(bead_view_beads_type.place(view, (struct bead_rect){100, 10, 700, 160}, NULL, &msg), &msg);
         for (size_t i = 0; i < 2; i++) {
-            double u[8] = {i ? 2 * parts[k] * 1e-6 : 0}, force[8] = {4, 8, 16, 0, 0, 10, 3};
+            double u[8] = {i ? 2 * parts[k] * 1e-6 : 0, 0, 1e-3}, force[8] = {4, 8, 16, 0, 0, 10, 3};
             struct bead_sample sample = {.time = 1e-6 * (double)i, .index = i, .active = 8};
             sample.field[BEAD_FIELD_CONTACT_FORCE] = force;
             sample.field[BEAD_FIELD_DISPLACEMENT] = u;
@@ -452,6 +468,7 @@ static void test_arrows_and_means(void **state)
         require(bead_view_beads_type.vector(view, 1e-6, cr, &msg), &msg);
         const struct bead_drawing *d = &view->row_drawing;
         length[k] = 0;
+        assert_true(count_pressed(&d->now) > 0); /* the third moved to the fourth */
         for (size_t i = 0; i < d->now.mark_count; i++) {
             const float *box = d->now.marks[i].box;
             if (d->now.marks[i].kind != BEAD_MARK_ARROW)

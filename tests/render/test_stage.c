@@ -513,6 +513,7 @@ static void balls_are_round(void **state)
     require(bead_stage_prepare(&s, &msg), &msg);
     const struct bead_stage_bake *bake = s.beads[0].bake;
     const int wide = bake->wide, high = bake->high;
+    assert_true(wide == high && wide == 76); /* the ball's edge is soft */
     for (int k = 0; k < BEAD_STAGE_PICTURES; k++) {
         const enum bead_stage_picture picture = (enum bead_stage_picture)k;
         double area = 0, faint[2] = {0, 0};
