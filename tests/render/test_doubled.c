@@ -279,6 +279,24 @@ static void ranges_are_those_asked_for(void **)
     }
 }
 
+/* Of two magnetisms, in a plot of few of them. */
+static void each_configuration_has_a_point(void **)
+{
+    size_t points[2] = {0, 0};
+    for (size_t k = 0; k < 2; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "sweep: {cells: 4, magnetism: [0, 0.5], configurations: %zu}\noutputs: [{plot: a.pdf}]\n",
+                 6 + k);
+        drawn_run(text, &drawn[0]);
+        for (size_t j = 0; j < drawn[0].marks; j++) {
+            const struct mark *m = &drawn[0].mark[j];
+            points[k] += m->filled && m->high[0] > m->low[0] && m->high[0] - m->low[0] < 6;
+        }
+    }
+    assert_true(points[0] >= 2 * 6);
+    assert_int_equal(points[1] - points[0], 2);
+}
+
 /* Without axes a plot is as wide as the page. */
 static void bare_plots_fill_the_page(void **)
 {
@@ -392,6 +410,7 @@ int main(void)
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
         cmocka_unit_test(images_show_their_time),
+        cmocka_unit_test(each_configuration_has_a_point),
         cmocka_unit_test(bare_plots_fill_the_page),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
