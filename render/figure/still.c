@@ -23,15 +23,10 @@ static bool plot_wanted(const struct bead_output *output)
     return output->views.count == 0;
 }
 
-static bool is_drawing(const struct bead_output *output)
-{
-    return bead_schematic_is(output->curves.show);
-}
-
 /* Drawings read the beads, to see whether they fit, and theories, whether they are alike. */
 static bool plot_looks_at_beads(const struct bead_output *output)
 {
-    return is_drawing(output) || output->shown.theory;
+    return bead_schematic_is(output->curves.show) || output->shown.theory;
 }
 
 static void plot_destroy(struct bead_still *s)
@@ -44,7 +39,7 @@ static enum bead_error plot_create(const struct bead_output *output, const struc
 {
     s->output = output;
     s->context = *context;
-    if (is_drawing(output))
+    if (bead_schematic_is(output->curves.show))
         return bead_schematic_check(output, context, msg);
     BEAD_TRY(bead_plot_data_create(output, context, SIZE_MAX, &s->plot, msg));
     return bead_plot_data_check(s->plot, msg);
