@@ -4,7 +4,7 @@
 
 Runs the template's `sh` blocks, in their order and in a folder of their own, and puts what they wrote into the text: «EXPRESSION:FORMAT»
 is a Python format field, a comment <!-- python ... --> defines what such expressions use. A run whose folder (-o NAME) stands in long/
-takes minutes: its tables are taken from there. --all runs these, too; --renew also writes long/ again.
+takes seconds or minutes: its tables are taken from there. --all runs these, too; --renew also writes long/ again.
 """
 import csv
 import os

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The thesis's claims: assets/findings.md is what its template and the runs give. Runs of minutes are taken from assets/findings/long;
+# The thesis's claims: assets/findings.md is what its template and the runs give. Longer runs are taken from assets/findings/long;
 # `make stress` makes these, too.
 source "$(dirname "$0")/../shell.bash"
 python=$(command -v python3)
