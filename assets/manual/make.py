@@ -18,6 +18,7 @@ In a chapter, ``` {.LANGUAGE file=NAME} is the text of a file, and ```sh are com
     <!-- live: FILE | WORDS | COMMAND -->    a link to the report that COMMAND makes
 
 With MANUAL=small in the environment, a COMMAND gets the arguments that stand behind one more `|` as well: smaller sweeps and films.
+With MANUAL=text none is run, and what they would make is left out.
 """
 import html
 import os
@@ -106,6 +107,8 @@ class Manual:
 
     def picture(self, work, words):
         name, alt, *command = re.split(r' \| *', words)
+        if command and os.environ.get('MANUAL') == 'text':
+            return ''
         if command:
             self.run(work, *command)
         shutil.copy(os.path.join(work if command else ASSETS, name), self.to)
@@ -113,6 +116,8 @@ class Manual:
 
     def live(self, work, words):
         name, label, *command = re.split(r' \| *', words)
+        if os.environ.get('MANUAL') == 'text':
+            return label
         self.run(work, *command)
         os.makedirs(os.path.join(self.to, 'live'), exist_ok=True)
         shutil.copy(os.path.join(work, name), os.path.join(self.to, 'live'))
