@@ -309,9 +309,8 @@ static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell
         double *copy = (double *)spare.field[i];
         if (!(fields & BEAD_FIELD_BIT(i)) || !sample->field[i])
             continue;
-        copy = copy ? copy : calloc(count, sizeof *copy);
         if (!copy)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a still of %zu beads", count);
+            BEAD_TRY(bead_new(&copy, count, msg, "a still of %zu beads", count));
         size_t last = span.last < count ? span.last : count - 1;
         if (span.first <= last)
             memcpy(copy + span.first, sample->field[i] + span.first, (last - span.first + 1) * sizeof *copy);

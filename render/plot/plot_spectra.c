@@ -9,11 +9,6 @@
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/places.h"
 
-static enum bead_show show_of(const struct bead_plot_data *data)
-{
-    return data->output->curves.show;
-}
-
 /* Of the first place: all chains of a scene are of one kind. */
 static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double largest)
 {
@@ -23,7 +18,8 @@ static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double lar
 
 static bool is_image(const struct bead_plot_data *data)
 {
-    return show_of(data) == BEAD_SHOW_SPECTROGRAM || show_of(data) == BEAD_SHOW_DISPERSION;
+    const enum bead_show show = data->output->curves.show;
+    return show == BEAD_SHOW_SPECTROGRAM || show == BEAD_SHOW_DISPERSION;
 }
 
 /* `frequencies`, `columns`: the ranges; NaN before they are known; so `largest` is 0. */
@@ -33,7 +29,9 @@ static void make_axes(struct bead_plot_data *data, const double frequencies[2], 
     const struct bead_graph_axis frequency = {"frequency", hertz, frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false},
                                  moment = {"time", time, columns[0], columns[1], BEAD_SCALE_LINEAR, false};
     for (size_t p = 0; p < data->count; p++) {
-        data->panels[p].x = !is_image(data) ? frequency : show_of(data) == BEAD_SHOW_DISPERSION ? plot_wave_numbers : moment;
+        data->panels[p].x = !is_image(data)                                     ? frequency
+                            : data->output->curves.show == BEAD_SHOW_DISPERSION ? plot_wave_numbers
+                                                                                : moment;
         data->panels[p].y = is_image(data) ? frequency : amplitudes(data, largest);
     }
 }
@@ -46,7 +44,7 @@ static void make_images(struct bead_plot_data *data)
         const struct bead_chain *chain = data->context.chains[part->chain];
         struct bead_place_shown place = {.field = data->output->shown.field};
         char name[2 * sizeof place.name];
-        if (show_of(data) == BEAD_SHOW_SPECTROGRAM) {
+        if (data->output->curves.show == BEAD_SHOW_SPECTROGRAM) {
             place = bead_place_shown(data->output, chain, 0);
             const size_t used = strlen(part->title);
             bead_markup_quote(place.name, name, sizeof name);
