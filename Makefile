@@ -475,7 +475,7 @@ staged:
 	    'Description: Waves in chains of beads: pictures and movies' 'Version: $(VERSION)' 'Requires: beadsim cairo' \
 	    'Requires.private: $(RENDER_PACKAGES)' 'Libs: -L$${libdir} -lbeadreel' 'Libs.private: -ldl' 'Cflags: -I$${includedir}' \
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
-	for a in $(ASSETS); do install -D -m 644 assets/$$a $(SHARE)/beadreel/$$a || exit 1; done
+	install -d $(SHARE)/beadreel && umask 022 && cd assets && cp --parents --no-preserve=mode $(ASSETS) $(SHARE)/beadreel
 	for m in $(MANUALS); do install -m 644 $$m $(SHARE)/man/man$${m##*.} || exit 1; done
 	install -d $(SHARE)/bash-completion/completions $(DESTDIR)$(ZSHDIR) $(SHARE)/fish/vendor_completions.d
 	install -m 644 assets/completions/beadreel.bash $(SHARE)/bash-completion/completions/beadreel
@@ -525,5 +525,7 @@ tests/%.c: ;
 
 .PHONY: test-slow tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile looked_through findings deps-peers peers
 .DELETE_ON_ERROR:
-# Not of what `make deb` builds meanwhile.
+# Not of what `make deb` builds meanwhile. To read them takes longer than what compiles nothing.
+ifneq ($(filter-out staged uninstall,$(or $(MAKECMDGOALS),all)),)
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)
+endif
