@@ -169,6 +169,33 @@ static void words_are_in_their_lines(void **)
     close_film(&f);
 }
 
+/* The clock of a film has as many decimals as tell its frames apart, four at most, and no more; a unit in which its end is from 1
+ * to 1000; and the time. */
+static void clocks_tell_frames_apart(void **)
+{
+    struct bead_look look;
+    bead_look_film(&look, WIDTH, HEIGHT, true, false);
+    for (int e = -9; e < 3; e++) {
+        for (int s = 0; s < 24; s++) {
+            const double end = 3.7 * pow(10, e), step = end / pow(10, 0.25 * s);
+            const struct bead_clock clock = bead_clock_make(end, step, "s");
+            const double least = pow(10, -clock.decimals), shown = step / clock.unit;
+            assert_true(clock.decimals >= 0 && clock.decimals <= 4);
+            assert_true(clock.decimals == 4 || shown > least * (1 - 1e-6));
+            assert_true(clock.decimals == 0 || shown < 10 * least * (1 - 1e-6));
+            assert_true(end / clock.unit >= 1 && (end / clock.unit < 1000 || e > 0));
+            char text[400], number[48];
+            bead_clock_text(&clock, 0.5 * end, &look, text, sizeof text);
+            snprintf(number, sizeof number, " %.*f\u2009%s<", clock.decimals, 0.5 * end / clock.unit, clock.sign);
+            assert_non_null(strstr(text, number));
+            bead_clock_text(&clock, -1e-20, &look, text, sizeof text);
+            assert_null(strchr(strstr(text, "=</span>"), '-'));
+        }
+    }
+    assert_string_equal(bead_clock_make(2e-3, 1e-5, "s").sign, "ms");
+    assert_true(bead_clock_make(200, 0.5, "").unit == 1 && bead_clock_make(200, 0, "").decimals == 0);
+}
+
 /* ---- notes ---- */
 
 /* A note is a box around its words, below the beads, at the lower edge of the stage; from its upper edge a tip points at its bead,
@@ -602,6 +629,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(movers_are_named),
         cmocka_unit_test(words_are_in_their_lines),
+        cmocka_unit_test(clocks_tell_frames_apart),
         cmocka_unit_test(notes_are_boxes_with_tips),
         cmocka_unit_test(races_say_who_leads),
         cmocka_unit_test(names_have_samples_of_lines),
