@@ -225,6 +225,27 @@ static void parts_stand_in_a_grid(void **state)
     }
 }
 
+/* A bar says what its images show: the largest value of each pixel if they do; beads and curves have their own values. */
+static void bars_say_what_images_show(void **)
+{
+    static const struct {
+        const char *output, *begins;
+    } bars[] = {{"field: force, sample: max", "largest "},
+                {"field: force, sample: area", "bead force"},
+                {"field: force, sample: max, views: [beads, spacetime], at: 0.3 ms", "largest "},
+                {"field: force, sample: max, views: [beads, profile], at: 0.3 ms", "force"},
+                {"field: velocity", "velocity"}};
+    for (size_t i = 0; i < sizeof bars / sizeof *bars; i++) {
+        struct laid l = {.texts = {.count = 0}};
+        char title[64];
+        lay_out(&l, 2, bars[i].output, NULL);
+        bead_figure_bar_title(l.figure, title, sizeof title);
+        if (strncmp(title, bars[i].begins, strlen(bars[i].begins)) != 0)
+            fail_msg("%s: '%s', not '%s'", bars[i].output, title, bars[i].begins);
+        clear(&l);
+    }
+}
+
 /* ---- texts ---- */
 
 /* All words around images are on the page, apart, and near the page's margin on each side. */
@@ -466,6 +487,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full),
                                        cmocka_unit_test(parts_stand_in_a_grid),
+                                       cmocka_unit_test(bars_say_what_images_show),
                                        cmocka_unit_test(texts_are_apart_and_fill_the_page),
                                        cmocka_unit_test(titles_take_all_of_their_line),
                                        cmocka_unit_test(layouts_move_with_their_area),
