@@ -484,6 +484,27 @@ static void a_torn_string_is_an_error(void **state)
     fput->equation->destroy(m);
 }
 
+/* Where the accuracy allows longer steps than the samples between them do, those of check runs are shorter by their part. */
+static void check_runs_have_other_steps(void **state)
+{
+    (void)state;
+    static const double parts[] = {0, 1, 0.5, 0.25};
+    const struct bead_equation_spec spec = string_of(16, 0.25, 1);
+    double step[4];
+    for (int k = 0; k < 4; k++) {
+        const struct bead_motion_settings settings = {&spec, spec.points, "auto", 1e-3, 0, 1, 0, parts[k]};
+        struct bead_motion *motion = NULL;
+        struct bead_message msg = {""};
+        struct bead_pace pace;
+        if (fput->equation->create(&settings, &motion, &msg))
+            fail_msg("%s", msg.text);
+        fput->equation->pace(motion, &pace);
+        step[k] = pace.step;
+        fput->equation->destroy(motion);
+    }
+    assert_true(step[0] == step[1] && fabs(step[2] / step[1] - 0.5) < 1e-12 && fabs(step[3] / step[1] - 0.25) < 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -500,6 +521,7 @@ int main(void)
         cmocka_unit_test(without_kinks_the_string_is_linear),
         cmocka_unit_test(a_pulse_beyond_the_kink_goes_one_way),
         cmocka_unit_test(a_torn_string_is_an_error),
+        cmocka_unit_test(check_runs_have_other_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
