@@ -180,9 +180,29 @@ static void shown_cells_have_their_means(void **state)
     free(r), free(fine);
 }
 
+/* Of a cubic known by its values and slopes at both ends of a step, one of which rises and the other falls, the extremum is where
+ * the quadratic formula has it. */
+static void extrema_of_steps_are_those_of_cubics(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 60; k++) {
+        const double h = 0.1 * (1 + k % 7), a = 0.3 * k - 5, b = (k % 2 ? 1 : -1) * (0.2 + 0.1 * (k % 11)), d = 0.05 * (k % 13 - 6);
+        const double c =
+            -(b + 3 * d * h * h) / (2 * h) - (b > 0 ? 0.7 : -0.7) * (1 + k % 3); /* so that the other end has the other sign */
+        const double slope = b + 2 * c * h + 3 * d * h * h, end = a + h * (b + h * (c + h * d));
+        double part;
+        assert_true(b * slope < 0);
+        const double found = bead_step_extremum(h, a, b, end, slope, &part);
+        const double root = d == 0 ? -b / (2 * c) : b / (-c - copysign(sqrt(c * c - 3 * b * d), c));
+        const double at = d == 0 || (root > 0 && root < h) ? root : (-c - copysign(sqrt(c * c - 3 * b * d), c)) / (3 * d);
+        assert_true(fabs(part - at / h) < 1e-9 && fabs(found - (a + at * (b + at * (c + at * d)))) < 1e-9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(extrema_of_steps_are_those_of_cubics),
         cmocka_unit_test(rows_are_whole),
         cmocka_unit_test(rows_that_are_not_are_refused),
         cmocka_unit_test(strings_have_their_energies),
