@@ -38,6 +38,23 @@ static const struct {
      "chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 20}\n",
      {"show: modes", "show: modes, every: 0.5", "show: profiles, at: [3.3], field: velocity", "show: profiles, at: [7.7]",
       "show: profiles, at: [1, 2]", "show: sensors, beads: [3], every: 0.7"}},
+    {1e-13,
+     "chain: {equation: kdv, low: -12, length: 34, points: 320, start: {solitons: [{speed: 16, at: -8}, {speed: 4, at: 0}]}}\n"
+     "simulate: {until: 0.4}\n",
+     {"show: sensors, beads: [20, 40], every: 0.07", "show: profiles, at: [0.123]", "show: profiles, at: [0.1, 0.2, 0.35]",
+      "show: measures"}},
+    {1e-13,
+     "chain: {equation: shock, points: 60, epsilon: 0.5, length: 6.283185307179586, start: {simple-wave: 1, amplitude: 1}}\n"
+     "simulate: {until: 5}\n",
+     {"show: sensors, beads: [20, 40], every: 0.7", "show: profiles, at: [0.123]", "show: profiles, at: [1, 2, 4.5]",
+      "show: measures"}},
+    {0,
+     "chains:\n  - {name: A, " STRUCK
+     "cradle: {length: 20 cm}, damping: {coefficient: 1, exponent: 1.5}, beads: [{bead: large-steel, count: 3}]}\n"
+     "  - {name: B, wall: rigid, tilt: 30 deg, " STRUCK
+     "beads: [{bead: large-steel, count: 4}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 60 us, step: 0.1 us}\n",
+     {"show: sensors, beads: [1, 3], every: 0.7 us", "show: peaks", "show: profiles, at: [30.3 us]", "show: energy, every: 2 us",
+      "show: bead-peaks"}},
 };
 
 static size_t read_file(const char *folder, size_t output, char *bytes)
