@@ -189,6 +189,17 @@ static void a_trajectory_draws_the_same_again(void **state)
         play_counts((struct bead_job){.input = run, .output = out});
         assert_same_file("a", "c", names[i]);
     }
+    /* Stills do not depend on what else is made of the run. */
+    char scene[512];
+    path_of("", "scene.yaml", scene);
+    path_of("b", "", out);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strchr(names[i], 'm') == names[i] || strstr(names[i], ".mkv"))
+            continue;
+        play_counts((struct bead_job){.input = scene, .output = out, .only = &names[i], .only_count = 1});
+        assert_same_file("a", "b", names[i]);
+    }
+    empty("b");
 }
 
 /* A scene without pictures can still be drawn: with an output's defaults, and the command line's options for it. */

@@ -40,8 +40,8 @@ static const struct {
       "show: profiles, at: [1, 2]", "show: sensors, beads: [3], every: 0.7"}},
     {1e-13,
      "chain: {equation: kdv, low: -12, length: 34, points: 320, start: {solitons: [{speed: 16, at: -8}, {speed: 4, at: 0}]}}\n"
-     "simulate: {until: 0.4}\n",
-     {"show: sensors, beads: [20, 40], every: 0.07", "show: profiles, at: [0.123]", "show: profiles, at: [0.1, 0.2, 0.35]",
+     "simulate: {until: 0.08}\n",
+     {"show: sensors, beads: [20, 40], every: 0.007", "show: profiles, at: [0.0123]", "show: profiles, at: [0.02, 0.05, 0.07]",
       "show: measures"}},
     {1e-13,
      "chain: {equation: shock, points: 60, epsilon: 0.5, length: 6.283185307179586, start: {simple-wave: 1, amplitude: 1}}\n"
