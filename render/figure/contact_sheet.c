@@ -61,21 +61,6 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* Finds the end of all pictures: `until` if the scene gives it; else runs all configurations and takes the last arrival. */
-static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
-{
-    const double until = bead_sweep_scene(s->sweep)->simulate.until;
-    s->end = isnan(until) ? 0 : until;
-    for (size_t i = 0; i < s->image_count; i++)
-        s->watches[i] = (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = s->end};
-    if (!isnan(until))
-        return BEAD_OK; /* only the run with samples is needed */
-    BEAD_TRY(bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg));
-    for (size_t i = 0; i < s->image_count; i++)
-        s->end = fmax(s->end, s->watches[i].arrival);
-    return BEAD_OK;
-}
-
 static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     for (size_t i = 0; i < s->image_count; i++) {
@@ -133,7 +118,9 @@ enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sw
 {
     BEAD_TRY(sheet_prepare(s, msg));
     BEAD_TRY(contact_sheet_arrange(s, msg));
-    BEAD_TRY(sheet_measure(s, settings, msg));
+    for (size_t i = 0; i < s->image_count; i++)
+        s->watches[i] = (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index};
+    BEAD_TRY(bead_sweep_end(s->sweep, s->watches, s->image_count, settings, &s->end, msg));
     BEAD_TRY(take_pictures(s, settings, msg));
     find_colours(s);
     return BEAD_OK;

@@ -176,7 +176,9 @@ static enum bead_error make(struct ensemble *e, const struct bead_run_context *c
     BEAD_FREED double *result = NULL;
     BEAD_TRY(bead_new(&e->films, e->count, msg, "an image of a sweep"));
     BEAD_TRY(bead_new(&e->watches, e->count, msg, "an image of a sweep"));
-    BEAD_TRY(bead_sweep_end(e->sweep, context->sweep_settings, &e->end, msg));
+    for (size_t i = 0; i < e->count; i++)
+        e->watches[i].index = i;
+    BEAD_TRY(bead_sweep_end(e->sweep, e->watches, e->count, context->sweep_settings, &e->end, msg));
     BEAD_TRY(run(e, context->sweep_settings, msg));
     BEAD_TRY(bead_new(&result, (TIMES + 1) * e->places, msg, "an image of a sweep"));
     BEAD_TRY(reduce(e, result, msg));

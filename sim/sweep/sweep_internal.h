@@ -44,10 +44,11 @@ struct bead_sweep_watch {
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches,
                                                           size_t count, const struct bead_sweep_settings *settings,
                                                           struct bead_message *msg);
-/* The time to which all chains of the first panel run, to be compared: `until`, or the last arrival of a front, which is found by
- * running them. Errors: as above. */
-BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_end(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
-                                                        double *end, struct bead_message *msg);
+/* The time to which these, of which only panel and index are known, run to be compared: `until`, or the last arrival of a front,
+ * which is found by running them. Errors: as above. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_end(const struct bead_sweep *sweep, struct bead_sweep_watch *watches,
+                                                        size_t count, const struct bead_sweep_settings *settings, double *end,
+                                                        struct bead_message *msg);
 /* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name, struct bead_message *msg);
 /* Is the file one of a sweep? Errors, of HDF5 files: MEMORY, IO, FORMAT, UNSUPPORTED. */

@@ -160,14 +160,13 @@ static void drop_chains(struct bead_sweep_lines *lines)
     }
 }
 
-/* Runs all chains and, to check them, a sample of each curve's again, and long ones, whose errors differ more. */
+/* Runs all chains and, to check them, a sample of each curve's again, and long ones, whose errors differ more. `watches`: room for
+ * two of each. */
 static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked,
-                               struct bead_sweep_lines *lines, struct bead_message *msg)
+                               struct bead_sweep_watch *watches, struct bead_sweep_lines *lines, struct bead_message *msg)
 {
-    BEAD_FREED struct bead_sweep_watch *watches = NULL;
     BEAD_FREED size_t *met = NULL;
     size_t count = 0;
-    BEAD_TRY(bead_new(&watches, 2 * lines->chain_count, msg, "the curves of %zu chains", lines->chain_count));
     BEAD_TRY(bead_new(&met, lines->count, msg, "the curves of %zu chains", lines->chain_count));
     for (size_t i = 0; i < lines->chain_count; i++)
         BEAD_TRY(watch_chain(sweep, lines, i, false, &watches[count++], msg));
@@ -310,12 +309,16 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
 {
     const size_t count = bead_sweep_panel(sweep, 0)->configurations;
     const bool spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;
+    BEAD_FREED struct bead_sweep_watch *watches = NULL;
     BEAD_FREED double *values = NULL;
     *lines = (struct bead_sweep_lines){
         .output = *output, .grid = {0, INFINITY, NAN, spreading}, .laws = spreading ? BEAD_LAW_NUMBERS : 0, .chain_count = count};
     BEAD_TRY(bead_new(&lines->chains, count, msg, "the curves of %zu chains", count));
     BEAD_TRY(bead_new(&values, count, msg, "the curves of %zu chains", count));
-    BEAD_TRY(bead_sweep_end(sweep, settings, &lines->grid.end, msg));
+    BEAD_TRY(bead_new(&watches, 2 * count, msg, "the curves of %zu chains", count));
+    for (size_t i = 0; i < count; i++)
+        watches[i].index = i;
+    BEAD_TRY(bead_sweep_end(sweep, watches, count, settings, &lines->grid.end, msg));
     for (size_t i = 0; i < count; i++)
         BEAD_TRY(make_chain(sweep, lines, i, msg));
     if (spreading)
@@ -326,7 +329,7 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
         if (line->chains++ == 0)
             line->chain = lines->chains[i].chain;
     }
-    BEAD_TRY(run_all(sweep, settings, checked, lines, msg));
+    BEAD_TRY(run_all(sweep, settings, checked, watches, lines, msg));
     for (size_t i = 0; i < count; i++)
         BEAD_TRY(add(sweep, lines, i, msg));
     for (size_t i = 0; i < lines->count; i++)

@@ -128,17 +128,12 @@ enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_swe
     return err;
 }
 
-enum bead_error bead_sweep_end(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, double *end,
-                               struct bead_message *msg)
+enum bead_error bead_sweep_end(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
+                               const struct bead_sweep_settings *settings, double *end, struct bead_message *msg)
 {
-    const size_t count = bead_sweep_panel(sweep, 0)->configurations;
-    BEAD_FREED struct bead_sweep_watch *watches = NULL;
     *end = bead_sweep_scene(sweep)->simulate.until;
     if (!isnan(*end))
         return BEAD_OK;
-    BEAD_TRY(bead_new(&watches, count, msg, "%zu chains", count));
-    for (size_t i = 0; i < count; i++)
-        watches[i] = (struct bead_sweep_watch){.index = i};
     BEAD_TRY(bead_sweep_watch(sweep, watches, count, settings, msg));
     *end = 0;
     for (size_t i = 0; i < count; i++)
