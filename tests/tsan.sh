@@ -100,7 +100,14 @@ demo=clean-vs-delocalised
 movie=$("$build/beadreel" --info $demo | sed -n 's/^output \([0-9]*\): movie .*/\1/p' | head -n 1)
 clean "the demo" beadreel $demo -o "$T/demo" --set "outputs.$movie.size=[320, 180]" --set "outputs.$movie.duration=1 s" --set "outputs.$movie.fps=15"
 # What makes the long ones of one thread short.
-lighter() { case $1 in kdv) echo chain.points=160 ;; shock) echo chain.points=400 ;; fput-kdv) echo simulate.until=200 outputs.1.at='[0,200]' ;; esac; }
+lighter() {
+    case $1 in
+    kdv) echo chain.points=160 simulate.until=0.4 outputs.2.at='[0,0.4]' ;;
+    shock) echo chain.points=400 ;;
+    fput) echo simulate.until=2500 outputs.3.at='[0,2500]' ;;
+    fput-kdv) echo simulate.until=200 outputs.1.at='[0,200]' ;;
+    esac
+}
 for ready in teaching fput fput-kdv kdv shock sensors panels schematics; do
     stills=$("$build/beadreel" --info $ready | sed -n '/^output [0-9]*: movie/d; s/^output [0-9]*: .* //p')
     # shellcheck disable=SC2046
