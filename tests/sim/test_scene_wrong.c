@@ -131,10 +131,20 @@ static void limits_are_exact(void **state)
     "chain: {drive: {force: " points ", amplitude: 1 N}, beads: [{bead: brass, count: 5}]}\nsimulate: {until: 1 ms}\n" OUTPUTS
 #define PAIR       "chains: [{name: a, beads: [{bead: brass}]}, {name: b, beads: [{bead: brass}]}]\nsimulate: {until: 1 ms}\n"
 #define WAVE(keys) KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{movie: a.mp4, " keys "}]\n"
+#define STRUCK     "chain: {striker: {velocity: 1 m/s}, beads: [{bead: large-steel, count: 9}]}\n"
+#define PLANE(of)  of "\noutputs: [{plot: a.png, show: plane}]\n"
 #define LONG       "0.9000000000000000000000000000000000000000000000000000000000000"
     static const struct {
         const char *good, *bad, *expected;
     } cases[] = {
+        {PLANE("sweeps: [{name: a, cells: 4, magnetism: all}, {name: b, cells: 6, magnetism: all}]"),
+         PLANE("sweeps: [{name: a, cells: 4, magnetism: all}, {name: b, cells: 4, magnetism: all}]"),
+         "it needs `sweeps` with different"},
+        {NULL, PLANE("sweeps: [{name: a, cells: 4, magnetism: 0}, {name: b, cells: 6, magnetism: 0}]"),
+         "it needs `sweeps` with different"},
+        {PLANE(STRUCK "sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [1 g, 2 g]}}"),
+         PLANE(STRUCK "sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [1 g, 2 g]}, combine: pairs}"),
+         "`over` must be a grid of two keys"},
         {MOVIE("inset: cell"), MOVIE("views: [profile], inset: cell"), "inset: is cell, but"},
         {NULL, MOVIE("axes: false, inset: cell"), "inset: is cell, but"},
         {WAVE("inset: none"), WAVE("inset: cell"), "inset: is cell, but"},
