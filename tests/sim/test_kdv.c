@@ -348,6 +348,26 @@ static void a_grid_too_coarse_is_told(void **state)
     kdv->equation->destroy(motion);
 }
 
+/* Where the accuracy allows longer steps than the nonlinearity does, those of check runs are shorter by their part. */
+static void check_runs_have_other_steps(void **state)
+{
+    (void)state;
+    static const double parts[] = {0, 1, 0.5, 0.25};
+    double step[4];
+    for (int k = 0; k < 4; k++) {
+        struct bead_motion_settings settings = {&one_soliton, 512, "auto", 1, 0, 1, 0, parts[k]};
+        struct bead_motion *motion = NULL;
+        struct bead_message msg = {""};
+        struct bead_pace pace;
+        if (kdv->equation->create(&settings, &motion, &msg))
+            fail_msg("%s", msg.text);
+        kdv->equation->pace(motion, &pace);
+        step[k] = pace.step;
+        kdv->equation->destroy(motion);
+    }
+    assert_true(step[0] == step[1] && fabs(step[2] / step[1] - 0.5) < 1e-12 && fabs(step[3] / step[1] - 0.25) < 1e-12);
+}
+
 static void a_grid_too_coarse_for_the_start_is_told(void **state)
 {
     (void)state;
@@ -496,6 +516,7 @@ int main(void)
                                        cmocka_unit_test(linear_waves_are_exact),
                                        cmocka_unit_test(a_grid_too_coarse_is_told),
                                        cmocka_unit_test(a_grid_too_coarse_for_the_start_is_told),
+                                       cmocka_unit_test(check_runs_have_other_steps),
                                        cmocka_unit_test(steps_too_long_are_told),
                                        cmocka_unit_test(wrong_settings_are_told)};
     return cmocka_run_group_tests_name("kdv", tests, NULL, NULL);
