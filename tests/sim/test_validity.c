@@ -3,6 +3,7 @@
 #include "measures.h"
 
 #include "sessions.h"
+#include "sim/chain/contact_walk.h"
 #include "sim/chain/validity.h"
 #include "tests/problems.h"
 
@@ -212,13 +213,44 @@ static void plain_numbers(void **state)
           "chain.tilt: 1 has no unit and is taken as 1 rad; is `1 deg` meant?", "the pressure in the centre is");
 }
 
+/* The largest compression of a contact is the one that holds all of the energy, whatever the law and the compression at rest;
+ * more where springs could also be pulled. */
+static void compressions_hold_the_energy(void **state)
+{
+    (void)state;
+    static const char *const laws[] = {"hertz", "{power: 1, coefficient: 1e6}", "{power: 2.5, coefficient: 1e12}",
+                                       "{fpu-alpha: 2000, stiffness: 1e6}"};
+    enum { FREE_SPRINGS = 6 };
+    for (size_t k = 0; k < 2 * sizeof laws / sizeof *laws; k++) {
+        char text[300];
+        snprintf(text, sizeof text, "chain: {law: %s, %sbeads: [{bead: large-steel, count: 3}], wall: rigid}\n", laws[k / 2],
+                 k % 2 ? "precompression: 120 N, " : "");
+        struct built built = build(text, "");
+        struct bead_contact_walk w;
+        for (bead_contact_walk_start(&w, built.chain, false); bead_contact_walk_next(&w);) {
+            assert_true((w.static_compression > 0) == (k % 2));
+            for (double energy = 1e-7; energy < 2e-5; energy *= 10) {
+                const double bound = bead_contact_bound(&w, energy), held = bead_contact_walk_excess(&w, bound) / energy;
+                assert_true(bound > w.static_compression);
+                assert_true(held > 1 - 1e-6 && (held < 1 + 1e-6 || k == FREE_SPRINGS));
+            }
+        }
+        release(&built);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(forces_of_hertz), cmocka_unit_test(a_collision_and_its_bound),
-        cmocka_unit_test(faster_strikes),  cmocka_unit_test(measures_see_peaks),
-        cmocka_unit_test(other_laws),      cmocka_unit_test(runs_warn_once),
-        cmocka_unit_test(rows_are_marked), cmocka_unit_test(plain_numbers),
+        cmocka_unit_test(compressions_hold_the_energy),
+        cmocka_unit_test(forces_of_hertz),
+        cmocka_unit_test(a_collision_and_its_bound),
+        cmocka_unit_test(faster_strikes),
+        cmocka_unit_test(measures_see_peaks),
+        cmocka_unit_test(other_laws),
+        cmocka_unit_test(runs_warn_once),
+        cmocka_unit_test(rows_are_marked),
+        cmocka_unit_test(plain_numbers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
