@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "sim/base/assets.h"
 #include "sim/base/file.h"
 #include "support.h"
 
@@ -246,6 +247,28 @@ static void a_claim_of_another_machine_is_left_alone(void **state)
     lock_error = 0;
 }
 
+/* The directory that the environment names is the first, however short its name; nothing is found below one too long. */
+static void assets_are_where_the_environment_says(void **state)
+{
+    (void)state;
+    char was[PATH_MAX], here[PATH_MAX], path[PATH_MAX], *too_long = malloc(PATH_MAX + 10);
+    struct bead_message msg = {""};
+    assert_non_null(too_long);
+    snprintf(was, sizeof was, "%s", getenv("BEADREEL_ASSETS"));
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(chdir(was), 0);
+    setenv("BEADREEL_ASSETS", ".", 1);
+    assert_int_equal(bead_asset_path("materials.yaml", path, sizeof path, &msg), BEAD_OK);
+    assert_string_equal(path, "./materials.yaml");
+    memset(too_long, '/', PATH_MAX + 9);
+    too_long[PATH_MAX + 9] = '\0';
+    setenv("BEADREEL_ASSETS", too_long, 1);
+    assert_int_equal(bead_asset_path("no such file", path, sizeof path, &msg), BEAD_ERROR_IO);
+    setenv("BEADREEL_ASSETS", was, 1);
+    assert_int_equal(chdir(here), 0);
+    free(too_long);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -257,6 +280,7 @@ int main(void)
         cmocka_unit_test(claims_hold_without_locks),
         cmocka_unit_test(the_claim_of_a_killed_run_is_taken_over_by_one),
         cmocka_unit_test(a_claim_of_another_machine_is_left_alone),
+        cmocka_unit_test(assets_are_where_the_environment_says),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
