@@ -368,6 +368,32 @@ static void check_runs_have_other_steps(void **state)
     assert_true(step[0] == step[1] && fabs(step[2] / step[1] - 0.5) < 1e-12 && fabs(step[3] / step[1] - 0.25) < 1e-12);
 }
 
+/* A soliton only moves: its steps find one length, and do not go up and down from then on, whatever the accuracy. */
+static void steps_of_a_soliton_settle(void **state)
+{
+    (void)state;
+    for (double accuracy = 1e-3; accuracy > 3e-4; accuracy *= 0.9) {
+        struct bead_motion_settings settings = {&one_soliton, 256, "auto", accuracy, 0, 20, 0, 0};
+        struct bead_motion *motion = NULL;
+        struct bead_message msg = {""};
+        double before = 0, length = 0;
+        int turns = 0, way = 0;
+        if (kdv->equation->create(&settings, &motion, &msg))
+            fail_msg("%s", msg.text);
+        for (int i = 0; i < 100; i++) {
+            if (kdv->equation->step(motion, &msg))
+                fail_msg("%s", msg.text);
+            const double now = kdv->equation->time(motion), step = now - before;
+            const int to = i == 0 || fabs(step / length - 1) < 0.01 ? 0 : step > length ? 1 : -1;
+            turns += to != 0 && way != 0 && to != way;
+            way = to ? to : way;
+            before = now, length = step;
+        }
+        assert_int_equal(turns, 0);
+        kdv->equation->destroy(motion);
+    }
+}
+
 static void a_grid_too_coarse_for_the_start_is_told(void **state)
 {
     (void)state;
@@ -517,6 +543,7 @@ int main(void)
                                        cmocka_unit_test(a_grid_too_coarse_is_told),
                                        cmocka_unit_test(a_grid_too_coarse_for_the_start_is_told),
                                        cmocka_unit_test(check_runs_have_other_steps),
+                                       cmocka_unit_test(steps_of_a_soliton_settle),
                                        cmocka_unit_test(steps_too_long_are_told),
                                        cmocka_unit_test(wrong_settings_are_told)};
     return cmocka_run_group_tests_name("kdv", tests, NULL, NULL);
