@@ -2,6 +2,7 @@
 /* Other ways to the same film. Films are drawn by what changes: each frame is the same as one drawn without those before it, and as
  * the frame before with what is told to have changed: nothing trails, in layouts with each kind of view, word and mark. */
 #include <math.h>
+#include <unistd.h>
 
 #include "render/movie/composer_private.h"
 #include "sessions.h"
@@ -268,6 +269,14 @@ static void posters_are_frames(void **)
         play_counts((struct bead_job){.input = scene, .output = output, .threads = 2});
         play_counts((struct bead_job){.input = scene, .output = frame, .frame = "peak", .threads = 1});
         struct png_file a = picture_of("poster.png"), b = picture_of("frame.png");
+        if (i == 0) { /* beside the film, wherever that is */
+            char film[512], poster[512];
+            in_directory("other.gif", film, sizeof film);
+            in_directory("poster.png", poster, sizeof poster);
+            assert_int_equal(unlink(poster), 0);
+            play_counts((struct bead_job){.input = scene, .output = film, .threads = 2});
+            assert_int_equal(access(poster, F_OK), 0);
+        }
         assert_true(a.width == b.width && a.height == b.height);
         assert_memory_equal(a.rgb, b.rgb, 3 * (size_t)a.width * (size_t)a.height);
         free(a.rgb);
