@@ -28,8 +28,8 @@ static const struct {
 } scenes[] = {
     {0,
      "chain: {" STRUCK "wall: brass, beads: [{cell: [large-steel, aluminium], count: 4}, {bead: ptfe, sensor: s}, {bead: "
-     "small-steel, count: 4}]}\nsimulate: {until: 80 us, step: 0.1 us}\n",
-     {"show: sensors, every: 0.7 us", "show: sensors, field: velocity, every: 1 us, beads: [2, 5]", "show: peaks",
+     "small-steel, count: 4}]}\nsimulate: {until: 80 us, step: 0.5 us}\n",
+     {"show: sensors, every: 0.13 us", "show: sensors, field: velocity, every: 0.17 us, beads: [2, 5]", "show: peaks",
       "show: bead-peaks, beads: [3, 6]", "show: measures", "show: profiles, at: [50.2 us]",
       "show: profiles, at: [10 us, 20 us, 35 us], field: displacement", "show: energy, every: 2 us",
       "show: energy, parts: place, every: 1 us", "show: extremes, every: 1 us", "show: spreading", "show: chain",
