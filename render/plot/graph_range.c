@@ -37,6 +37,8 @@ static void take_panel(const struct bead_panel *panel, int axis, double range[2]
                 take(value - series->error[i], scale, range);
                 take(value + series->error[i], scale, range);
             }
+            if (axis && series->upper)
+                take(series->upper[i], scale, range);
         }
     }
     for (size_t r = 0; r < panel->ruler_count; r++) {

@@ -170,30 +170,31 @@ static void test_words_never_collide(void **state)
     }
 }
 
-/* In addition to the points, axes include rulers with their bands, and error bars; each kind of ruler is in the range of its own
- * axis. */
+/* In addition to the points, axes include rulers with their bands, error bars, and the upper edges of bands; each kind of ruler is
+ * in the range of its own axis. */
 static void test_axes_hold_all(void **state)
 {
     (void)state;
-    static const double x[] = {1, 2, 3}, y[] = {4, 5, 6}, error[] = {3, 0.1, 5};
+    static const double x[] = {1, 2, 3}, y[] = {4, 5, 6}, error[] = {3, 0.1, 5}, upper[] = {5, 17, NAN};
     static const struct bead_ruler across[] = {{false, 22, 20, 24, "across"}}, along[] = {{true, 9, NAN, NAN, "along"}};
     const struct bead_series series = {.x = x, .y = y, .error = error, .count = 3, .mark = BEAD_MARK_POINTS};
     const struct bead_graph_axis axis = {.title = "x", .unit = "", .low = NAN, .high = NAN};
     struct bead_look look;
     bead_look_screen(&look, 1280, 720, false);
-    for (int kind = 0; kind < 3; kind++) {
+    const struct bead_series band = {.x = x, .y = y, .upper = upper, .count = 3, .mark = BEAD_MARK_BAND};
+    for (int kind = 0; kind < 4; kind++) {
         const struct bead_panel panel = {.x = axis,
                                          .y = axis,
-                                         .series = &series,
+                                         .series = kind == 3 ? &band : &series,
                                          .series_count = 1,
                                          .rulers = kind == 1 ? across : along,
-                                         .ruler_count = kind > 0};
+                                         .ruler_count = kind == 1 || kind == 2};
         const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
         struct graph_layout layout = lay_out(&graph, &look, 1280, 720);
         const struct graph_cell *cell = &layout.cells[0];
-        const double right = kind == 2 ? 9 : 3, top = kind == 1 ? 24 : 11;
+        const double right = kind == 2 ? 9 : 3, top = kind == 1 ? 24 : kind == 3 ? 17 : 11;
         assert_true(cell->low[0] <= 1 && cell->high[0] >= right && cell->high[0] < 1.3 * right);
-        assert_true(cell->low[1] <= 1 && cell->high[1] >= top && cell->high[1] < 1.5 * top);
+        assert_true(cell->low[1] <= (kind == 3 ? 4 : 1) && cell->high[1] >= top && cell->high[1] < 1.5 * top);
         graph_layout_free(&layout);
     }
 }
