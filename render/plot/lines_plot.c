@@ -127,7 +127,7 @@ enum bead_error bead_lines_plot_fill(struct bead_plot_data *data, struct bead_me
     enum bead_error err =
         bead_sweep_lines_find(data->context.sweep, data->output, data->context.sweep_settings, false, &lines, msg);
     if (!err)
-        err = fill(data, &lines, msg);
+        err = lines.laws > 0 ? bead_spreading_plot_fill(data, &lines, msg) : fill(data, &lines, msg);
     bead_sweep_lines_free(&lines);
     return err;
 }

@@ -132,7 +132,8 @@ static enum bead_error fill(struct bead_plot_data *data, const struct bead_sweep
     return BEAD_OK;
 }
 
-static enum bead_error fill_all(struct bead_plot_data *data, const struct bead_sweep_lines *lines, struct bead_message *msg)
+enum bead_error bead_spreading_plot_fill(struct bead_plot_data *data, const struct bead_sweep_lines *lines,
+                                         struct bead_message *msg)
 {
     BEAD_TRY(plot_reserve(data, lines->count, msg));
     BEAD_TRY(plot_new(&data->store, &data->sample, BEAD_SWEEP_TIMES, msg));
@@ -142,15 +143,4 @@ static enum bead_error fill_all(struct bead_plot_data *data, const struct bead_s
     for (size_t p = 0; p < data->count; p++)
         BEAD_TRY(fill(data, &lines->of[p], p, msg));
     return BEAD_OK;
-}
-
-enum bead_error bead_spreading_plot_fill(struct bead_plot_data *data, struct bead_message *msg)
-{
-    struct bead_sweep_lines lines;
-    enum bead_error err =
-        bead_sweep_lines_find(data->context.sweep, data->output, data->context.sweep_settings, false, &lines, msg);
-    if (!err)
-        err = fill_all(data, &lines, msg);
-    bead_sweep_lines_free(&lines);
-    return err;
 }

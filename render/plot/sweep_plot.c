@@ -369,11 +369,10 @@ static enum bead_error plot_sweeps(struct bead_plot_data *data, struct bead_mess
 static sweep_plot *plot_of(const struct bead_output *output, const struct bead_sweep *sweep)
 {
     const enum bead_sweep_show show = output->sweep_curves.show;
-    return show == BEAD_SWEEP_SPREADING                           ? bead_spreading_plot_fill
-           : bead_sweep_lines(show) != BEAD_SHOW_COUNT            ? bead_lines_plot_fill
-           : show == BEAD_SWEEP_PLANE                             ? bead_plane_plot_fill
-           : bead_sweep_panel(sweep, 0)->spec->over.key_count > 0 ? bead_over_plot_fill
-                                                                  : plot_sweeps;
+    return show == BEAD_SWEEP_SPREADING || bead_sweep_lines(show) != BEAD_SHOW_COUNT ? bead_lines_plot_fill
+           : show == BEAD_SWEEP_PLANE                                                ? bead_plane_plot_fill
+           : bead_sweep_panel(sweep, 0)->spec->over.key_count > 0                    ? bead_over_plot_fill
+                                                                                     : plot_sweeps;
 }
 
 /* Panels whose number does not depend on results, without words. */

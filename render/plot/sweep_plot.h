@@ -6,10 +6,14 @@
 #include "render/plot/plot_private.h"
 #include "sim/sweep/sweep_curves.h"
 
-/* Each makes the panels of a plot: over keys; of the spread of energy, or of curves, of chains, which it runs; of a plane of two
+/* Each makes the panels of a plot: over keys; of curves, or of the spread of energy, of chains, which it runs; of a plane of two
  * quantities. Errors: USAGE, SCENE, MEMORY, those of bead_sweep_lines_find. */
 typedef enum bead_error sweep_plot(struct bead_plot_data *data, struct bead_message *msg);
-sweep_plot bead_over_plot_fill, bead_spreading_plot_fill, bead_lines_plot_fill, bead_plane_plot_fill;
+sweep_plot bead_over_plot_fill, bead_lines_plot_fill, bead_plane_plot_fill;
+/* Makes the panels of the spread of energy. Errors: MEMORY. */
+struct bead_sweep_lines;
+BEAD_CHECK enum bead_error bead_spreading_plot_fill(struct bead_plot_data *data, const struct bead_sweep_lines *lines,
+                                                    struct bead_message *msg);
 
 /* Allocates a panel for each place where forces are measured, titled with its name if there are several; one for a measure. */
 BEAD_CHECK enum bead_error sweep_plot_reserve_places(struct bead_plot_data *data, struct bead_message *msg);
