@@ -157,6 +157,7 @@ static void drop_chains(struct bead_sweep_lines *lines)
             continue;
         bead_sweep_chain_destroy(own->made);
         own->made = NULL;
+        own->chain = NULL;
     }
 }
 
