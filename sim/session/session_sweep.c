@@ -31,12 +31,17 @@ static enum bead_error check_outputs(const struct bead_session *s, struct bead_m
 {
     const struct bead_sweep_settings settings = bead_session_sweep_settings(s);
     const struct bead_run_context context = bead_session_sweep_context(s, &settings);
+    BEAD_FREED const struct bead_output **outputs = NULL;
+    size_t count = 0;
+    BEAD_TRY(bead_new(&outputs, s->made_count, msg, "a session"));
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (bead_session_makes(&s->made[i]))
+            outputs[count++] = s->made[i].output;
+    }
+    BEAD_TRY(bead_sweep_asked_check(s->sweep, outputs, count, msg)); /* together: it makes outlines of chains */
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        if (!bead_session_makes(m))
-            continue;
-        BEAD_TRY(bead_sweep_asked_check(s->sweep, m->output, msg));
-        if (m->type->check)
+        if (bead_session_makes(m) && m->type->check)
             BEAD_TRY(m->type->check(m->output, &context, msg));
     }
     return BEAD_OK;

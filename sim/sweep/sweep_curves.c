@@ -196,38 +196,57 @@ void bead_sweep_curves_free(struct bead_sweep_curves *curves)
     free(curves->curves);
 }
 
-/* An output, and the beads of the first chain. */
+/* Outputs, and the beads of the first chain. */
 struct looked {
-    const struct bead_output *output;
-    size_t beads;
+    const struct bead_output *const *outputs;
+    size_t count, beads;
 };
+
+static bool is_of_chains(const struct bead_output *output)
+{
+    return output->kind == BEAD_OUTPUT_IMAGE || bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT;
+}
 
 /* Have the chains the places of curves, and are those of equal length whose means are taken in space? */
 static enum bead_error check_chain(void *context, const struct bead_chain *chain, size_t index, struct bead_message *msg)
 {
     struct looked *looked = context;
-    const struct bead_output *output = looked->output;
-    const bool images = output->kind == BEAD_OUTPUT_IMAGE;
     looked->beads = index == 0 ? bead_chain_beads(chain) : looked->beads;
-    if ((images || output->curves.show == BEAD_SHOW_DISPERSION) && bead_chain_beads(chain) != looked->beads)
-        return bead_output_wrong(output, msg, "show: chains have %zu and %zu beads; a mean needs chains of equal length",
-                                 looked->beads, bead_chain_beads(chain));
-    return images ? BEAD_OK : bead_places_check(output, chain, msg);
+    for (size_t i = 0; i < looked->count; i++) {
+        const struct bead_output *output = looked->outputs[i];
+        const bool image = output->kind == BEAD_OUTPUT_IMAGE;
+        if (!is_of_chains(output))
+            continue;
+        if ((image || output->curves.show == BEAD_SHOW_DISPERSION) && bead_chain_beads(chain) != looked->beads)
+            return bead_output_wrong(output, msg, "show: chains have %zu and %zu beads; a mean needs chains of equal length",
+                                     looked->beads, bead_chain_beads(chain));
+        BEAD_TRY(image ? BEAD_OK : bead_places_check(output, chain, msg));
+    }
+    return BEAD_OK;
 }
 
-enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *output, struct bead_message *msg)
+static enum bead_error check_words(const struct bead_over *over, const struct bead_output *output, struct bead_message *msg)
 {
     const struct bead_sweep_curves_asked *asked = &output->sweep_curves;
-    const struct bead_over *over = &bead_sweep_panel(sweep, 0)->spec->over;
     const char *unit;
     size_t key;
     struct bead_message why = {""};
     enum bead_error err = BEAD_OK;
-    if (over->key_count > 0 && (output->kind == BEAD_OUTPUT_IMAGE || bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT))
-        return bead_sweep_try(sweep, check_chain, &(struct looked){output, 0}, msg);
     if (asked->measure && *asked->measure)
         err = bead_sweep_measure_unit(asked->measure, &unit, &why);
     if (!err && asked->against && *asked->against && over->key_count > 0)
         err = find_key(over, asked->against, &key, &why);
     return err ? bead_output_wrong(output, msg, "%s", why.text) : BEAD_OK;
+}
+
+enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *const *outputs, size_t count,
+                                       struct bead_message *msg)
+{
+    const struct bead_over *over = &bead_sweep_panel(sweep, 0)->spec->over;
+    bool of_chains = false;
+    for (size_t i = 0; i < count; i++) {
+        BEAD_TRY(check_words(over, outputs[i], msg));
+        of_chains = of_chains || (over->key_count > 0 && is_of_chains(outputs[i]));
+    }
+    return of_chains ? bead_sweep_try(sweep, check_chain, &(struct looked){outputs, count, 0}, msg) : BEAD_OK;
 }

@@ -42,10 +42,10 @@ struct bead_sweep_values {
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place,
                                                                 const struct bead_sweep_values *values, const char *against,
                                                                 struct bead_sweep_curves *curves, struct bead_message *msg);
-/* Is there what the output shows of the sweep: the key, the measure, the places? So that its lack is told before chains run, which
- * may take hours. Errors: SCENE, MEMORY. */
-BEAD_CHECK enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *output,
-                                                  struct bead_message *msg);
+/* Is there what the outputs show of the sweep: keys, measures, places, for means in space equal lengths? So that a lack is told
+ * before chains run, which may take hours. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *const *outputs,
+                                                  size_t count, struct bead_message *msg);
 /* The unit of a measure of chains. Errors: USAGE (there is none with this name). */
 BEAD_CHECK enum bead_error bead_sweep_measure_unit(const char *name, const char **unit, struct bead_message *msg);
 /* Runs all chains of the first panel for that measure. The values are to be freed even after an error. Errors: USAGE, MEMORY, those
