@@ -7,7 +7,9 @@ export BEADREEL_ASSETS=${BEADREEL_ASSETS:-$top/assets}
 beadreel=$BUILD/beadreel
 beadsim=$BUILD/beadsim
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
-trap 'rm -rf "$T"' EXIT
+# leave : a signal may meet a process of the background before it has become its program; that copy of the shell comes here, too.
+leave() { case $BASHPID in $$) rm -rf "$T" ;; esac; }
+trap leave EXIT
 export PYTHONDONTWRITEBYTECODE=1
 # Debian's, which has Debian's packages, and starts sooner than what may stand before it in the PATH.
 [ ! -x /usr/bin/python3 ] || python3() { /usr/bin/python3 "$@"; }

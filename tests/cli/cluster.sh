@@ -5,7 +5,7 @@
 source "$(dirname "$0")/../shell.bash"
 export PATH=$BUILD:$PATH
 daemons=()
-stop_daemons() { [ ${#daemons[@]} -eq 0 ] || { kill "${daemons[@]}" && wait "${daemons[@]}"; } 2>/dev/null; rm -rf "$T"; }
+stop_daemons() { [ ${#daemons[@]} -eq 0 ] || { kill "${daemons[@]}" && wait "${daemons[@]}"; } 2>/dev/null; leave; }
 trap stop_daemons EXIT
 
 # The chapter's files; its sweep is small, with steps so short that a part takes a moment.

@@ -35,6 +35,17 @@ left_readable() {
 }
 drawn() { "$beadreel" "$T/int/run.h5.part" -o "$T/part.png" >/dev/null && [ -s "$T/part.png" ]; }
 
+# The test's own: a signal that comes before the program has begun meets a copy of this shell, which must not clear up.
+too_early() {
+    for i in 1 2 3; do
+        sleep 5 >"$T/out" &
+        kill -FPE $!
+        wait $!
+        [ -d "$T" ] || return
+    done
+}
+ok "a signal before the program has begun removes nothing" too_early
+
 # In a script, background jobs ignore SIGINT unless job control is on.
 set -m
 stopped INT "$T/int" "$beadreel"
