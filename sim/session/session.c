@@ -153,7 +153,6 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
     if (err)
         return err;
     const struct bead_job *job = &s->job;
-    s->refinement = 1;
     s->kernels = bead_kernels_find(job->instructions);
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     s->threads = job->threads > 0 ? job->threads : cores > 1 ? (int)cores : 1;

@@ -70,8 +70,8 @@ struct bead_session {
     bool extended;                       /* beyond that, because an output asks for later times */
     double end, needed;                  /* s; end INFINITY: not known before the run */
     double resolution;                   /* s */
-    double refinement;                   /* tolerance of the runs, in units of the accuracy asked for */
-    double tolerance_factor;             /* of comparison runs, in the same units */
+    struct bead_simulate verified;       /* as the source's, with the accuracy that `verify` takes; 0: the source's */
+    double tolerance_factor;             /* tolerance of comparison runs, in units of that of the runs */
     char warning[SESSION_WARNINGS][640]; /* "": none */
     bool unverified;
     bool strained;                      /* the energy of a chain suffices to take contacts beyond the model: finds their peaks */

@@ -5,7 +5,7 @@
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
-/* Each round has a tenth of the tolerance of the one before; below the least, only rounding differs. */
+/* Each round takes a tenth of the accuracy of the one before, with the method that suits it; below the least, only rounding differs. */
 static const double tenth = 0.1, least = 1e-13;
 
 /* The result of a round: peaks that miss the requested accuracy, and the worst of all. */
@@ -76,11 +76,10 @@ enum bead_error bead_session_verify(struct bead_session *s, struct bead_message 
                  bead_run_long_step(s->chains[i], asked).text);
     if (!asked->verify)
         return BEAD_OK;
-    const double factor = s->tolerance_factor;
-    for (s->refinement = 1; !err; s->refinement *= tenth) {
-        s->tolerance_factor = factor * s->refinement;
+    for (s->verified = *asked; !err; s->verified.accuracy *= tenth) {
+        s->tolerance_factor = bead_run_tolerance_factor(s->chains, s->chain_count, &s->verified);
         err = try_round(s, &verdict, msg);
-        if (verdict.poor == 0 || tenth * s->refinement * asked->accuracy < least)
+        if (verdict.poor == 0 || tenth * s->verified.accuracy < least)
             break;
     }
     if (!err && verdict.poor > 0)
