@@ -194,27 +194,49 @@ static bool is_beside(const struct stroke *frame, const double place[2], int alo
     return (after > 0 && after < FARTHEST) || (along == 1 && before > 0 && before < FARTHEST);
 }
 
-/* Is a title of an axis in the middle of the side of the frame that it is beside, if there is one? Those that are not upright are
- * below. */
-static bool is_centred(const struct words *title, int along)
+/* The frame that a title of an axis is beside, the one whose middle is nearest; NULL: none. Those that are not upright are below.
+ */
+static const struct stroke *frame_of(const struct words *title, int along)
 {
+    const struct stroke *found = NULL;
     double nearest = INFINITY;
     for (size_t j = 0; j < strokes.count; j++) {
         const struct stroke *s = &strokes.list[j];
-        const double c[2] = {title->centre[0], title->centre[1]};
+        const double *c = title->centre, off = fabs(c[along] - (s->low[along] + s->high[along]) / 2);
         if (is_on_page(j, title->page) && is_frame(s) && s->low[along] < c[along] && c[along] < s->high[along] &&
-            is_beside(s, c, along))
-            nearest = fmin(nearest, fabs(c[along] - (s->low[along] + s->high[along]) / 2));
+            is_beside(s, c, along) && off < nearest)
+            found = s, nearest = off;
     }
-    return nearest < 0.3 || nearest == INFINITY;
+    return found;
 }
 
-static void titles_are_centred(const struct drawn *d)
+/* From the ink of a title to that of the nearest number along the same side of the frame; INFINITY: there are none. */
+static double title_gap(const struct drawn *d, const struct words *title, const struct stroke *frame, int along)
 {
+    double gap = INFINITY;
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *n = &d->text[i];
+        const double towards = title->low[!along] - n->high[!along], back = n->low[!along] - title->high[!along];
+        if (n->page == title->page && !isnan(number_of(n->text)) && n->centre[along] > frame->low[along] - 5 &&
+            n->centre[along] < frame->high[along] + 5 && is_beside(frame, n->centre, along))
+            gap = fmin(gap, fmax(towards, back));
+    }
+    return gap;
+}
+
+/* Titles of axes are in the middle of their frames, as far from their numbers as all; those that are too long for their axis have
+ * smaller type, and letters that reach below their lines come nearer. */
+static void titles_are_in_place(const struct drawn *d)
+{
+    static const double gaps[2][2] = {{3.5, 4.3}, {3, 8.5}};
     for (size_t i = 0; i < d->texts; i++) {
         const struct words *a = &d->text[i];
-        if (a->upwards || strstr(a->text, " ("))
-            assert_page(a, is_centred(a, a->upwards));
+        const struct stroke *frame = a->upwards || strstr(a->text, " (") ? frame_of(a, a->upwards) : NULL;
+        if (!frame)
+            continue;
+        const double gap = title_gap(d, a, frame, a->upwards);
+        assert_page(a, fabs(2 * a->centre[a->upwards] - frame->low[a->upwards] - frame->high[a->upwards]) < 0.6);
+        assert_page(a, gap == INFINITY || (gap > gaps[a->upwards][0] && gap < gaps[a->upwards][1]));
     }
 }
 
@@ -250,12 +272,31 @@ static void frames_are_aligned(size_t page)
     }
 }
 
+/* Axes fill their page: from the left and the lower edge, words are as far as the margin, and what letters lack of their lines.
+ * Pages that beads do not fill are left out. */
+static void margins_are_kept(const struct drawn *d, size_t page, double width, double height)
+{
+    const double least = 2.5, most = 7.5;
+    double left = INFINITY, below = INFINITY, right = 0;
+    bool axes = false;
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        if (a->page != page)
+            continue;
+        left = fmin(left, a->low[0]), below = fmin(below, height - a->high[1]), right = fmax(right, a->high[0]);
+        axes = axes || (a->upwards && frame_of(a, true));
+    }
+    if (axes && right > 0.8 * width && !(left > least && left < most && below > least && below < most))
+        fail_msg("page %zu: words are %g from the left edge, %g from the lower one", page, left, below);
+}
+
 static void page_laws(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
-    titles_are_centred(d);
+    titles_are_in_place(d);
     for (size_t p = 0; p < d->pages; p++) {
         frames_are_aligned(p);
+        margins_are_kept(d, p, width, height);
         for (int along = 0; along < 2; along++)
             axes_have_scales(d, p, along);
     }
