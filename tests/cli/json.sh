@@ -76,6 +76,54 @@ ok "... failed, with its file" is 'j["status"] == "failed" and j["exit"] == 1 an
 ok "a sweep" exits 0 "$beadsim" sweep -o sweep --json --set sweep.cells=6 --set sweep.configurations=2 --only force.csv
 ok "... counts its chains" is 'j["sweep"]["computed"] == j["sweep"]["known"] == j["sweep"]["chains"] > 4 and j["runs"] == []'
 
+# What people are told of a run, line by line, is what programs are told of it.
+cat >words.py <<'PYTHON'
+import csv, json, math, re
+j, said = json.load(open("out", encoding="utf-8")), open("said", encoding="utf-8").read().splitlines()
+def of(x, unit):  # "4.76 mm", "1.8 kB"
+    power = 3 * math.floor(math.log10(float(f"{x:.3e}")) / 3)
+    return f"{x / 10 ** power:.4g} {dict(zip((-9, -6, -3, 0, 3, 6), 'num kM'))[power].strip()}{unit}"
+def several(n, what): return f"{n} {what}{'' if n == 1 else 's'}"
+def largest(key): return max((r[key] for r in j["runs"] if r[key] is not None), default=None)
+def lost(path):
+    rows = csv.DictReader(open(path, encoding="utf-8")) if path.endswith(".csv") else []
+    return [float(row["time_s"]) for row in rows if "unpredictable" in row.get("state", "")]
+files, runs, sweep = j["outputs"], j["runs"], j["sweep"]
+width = max(len(f["path"]) for f in files)
+lines = [f"{f['path']:{width}}  {of(f['bytes'], 'B'):>8}" for f in files]
+if j["skipped"]: lines += ["skipped, beadsim does not make these: " + ", ".join(j["skipped"])]
+last = f"{several(len(files), 'file')}, {of(sum(f['bytes'] for f in files), 'B')}, in * s"
+if runs:
+    last += f": {several(len(runs), 'chain')} to {of(largest('end_s'), 's')} with {runs[0]['method']}, first step {of(runs[0]['step_s'], 's')}"
+    errors = [(name, largest(name + "_error")) for name in ("energy", "embedded", "event")]
+    last += "; errors seen: " + ", ".join(f"{name.replace('event', 'events')} {x:.1g}" for name, x in errors if x is not None)
+    peaks = [r["worst_peak"] for r in runs if r["worst_peak"]]
+    if peaks:
+        worst = max(peaks, key=lambda p: p["uncertainty_N"] / p["force_N"])
+        last += f"; least certain peak: {list(worst)[0]} {list(worst.values())[0]:.0f}, {worst['force_N']:.6g} N to {worst['uncertainty_N']:.2g} N"
+    times = [t for f in files for t in lost(f["path"])]
+    if times: last += "; not all peaks are predictable from * ms on"
+    horizon = [1e-3 * float(x) for x in re.findall(r"predictable from ([0-9.]+) ms", said[-1])]  # others may be overtaken after it
+    if [x for x in horizon if not min(times) <= x <= max(times)]: raise SystemExit(f"predictable until {horizon}")
+if sweep and sweep["computed"]:
+    before = sweep["known"] - sweep["computed"]
+    last += f": {several(sweep['computed'], 'chain')}" + (f" of {sweep['chains']}, {before} there before" if before else "") + ", * a second"
+lines += [last]
+for before, after in ((r"in [0-9.]+ s", "in * s"), (r"[0-9.e+]+ a second", "* a second"), (r"from [0-9.]+ ms on", "from * ms on")):
+    said[-1] = re.sub(before, after, said[-1])
+for a, b in zip(said, lines):
+    if a != b: raise SystemExit(f"{a!r}, not {b!r}")
+if len(said) != len(lines): raise SystemExit(f"{len(said)} lines, not {len(lines)}")
+warned = ["beadsim: warning: " + w for w in j["warnings"]]
+if open("warned", encoding="utf-8").read().splitlines() != warned: raise SystemExit("other warnings")
+PYTHON
+told() { "$beadsim" "$@" >said 2>warned && exits 0 "$beadsim" "$@" --json && python3 words.py; }
+ok "words of a run of two chains" told scene.yaml -o told
+ok "... of peaks of beads, without errors that the method cannot tell" told scene.yaml -o told --set 'outputs=[{table: b.csv, show: bead-peaks}]' --set simulate.method=rk4
+ok "... of one chain beyond the model" told scene.yaml -o told --set 'chains=[{name: a, striker: {velocity: 9 m/s}, beads: [{bead: brass, count: 3}]}]' --only peaks.csv
+ok "... of a chain whose peaks are lost" told "$top/tests/errors/accB0.yaml" -o told --set simulate.until=30ms --set simulate.accuracy=1e-4
+ok "... of a sweep" told sweep -o told --set sweep.cells=6 --set sweep.configurations=1 --set sweep.magnetism=1 --only force.csv
+
 # ---- --plan and --info ----
 
 ok "--plan --json" exits 0 "$beadreel" scene.yaml --plan --json -o out --only peaks.csv
