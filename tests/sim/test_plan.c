@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a plan tells is what the run then does: steps, method, end, samples, and runs that are made for comparison. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/play.h"
+#include "sessions.h"
+#include "tests/scratch.h"
+
+#define BEADS "chain: {beads: [{cell: [large-steel, ptfe], count: 6, spins: \"110101\"}]}\n"
+#define TWO                                                                                                       \
+    "chains: [{name: A, beads: [{bead: brass, count: 9}]}, {name: B, striker: {velocity: 1 m/s}, beads: [{bead: " \
+    "ptfe, count: 4}]}]\n"
+#define FIXED(until) "simulate: {until: " until ", step: 0.5 us, method: rk4}\n"
+#define WHOLE(until) "simulate: {until: " until "}\n"
+static const struct {
+    const char *scene, *outputs, *says[3]; /* lines of the plan, whole or their beginnings */
+} cases[] = {
+    {BEADS FIXED("60 us"),
+     "{table: 0.csv, show: sensors, beads: 3, every: 3 us, time: [5 us, 40 us]}",
+     {"time: stops at 0.04 ms of 0.06 ms: no output needs more\n",
+      "  samples: force of beads 3 to 3, 12 times every 3 us until 0.04 ms\n", "check run: uncertainties of "}},
+    {BEADS FIXED("60 us"),
+     "{table: 0.csv, show: sensors, beads: 3, every: 3 us, uncertainty: false}",
+     {"time: 0.06 ms as asked\n", "  samples: force of beads 3 to 3, 21 times every 3 us until 0.06 ms\n"}},
+    {BEADS FIXED("60 us"),
+     "{table: 0.csv, show: peaks}",
+     {"time: 0.06 ms as asked\n", "  samples: none\n", "comparison run: uncertainties of "}},
+    {BEADS FIXED("60 us"),
+     "{table: 0.csv, show: bead-peaks, uncertainty: false}",
+     {"  maxima of every bead's force, found between steps\n"}},
+    {BEADS,
+     "{table: 0.csv, show: peaks}",
+     {"time: until the first pulse has passed the end; no output needs the end time in advance: no scouting run\n",
+      "  maxima of every contact's force until the front reaches the end, found between steps\n",
+      "comparison run: uncertainties of "}},
+    {BEADS,
+     "{table: 0.csv, show: extremes, field: velocity, every: 10 us}",
+     {"time: until the first pulse has passed the end, at "}},
+    {BEADS, "{table: 0.csv, show: profiles, at: [3 ms]}", {"time: until 3 ms, the latest that an output asks for\n"}},
+    {TWO WHOLE("2 ms"),
+     "{table: 0.csv, show: energy, every: 0.25 ms}",
+     {"time: 2 ms as asked\n", "accuracy: 1e-11 instead of the default, for ", "  samples: "}},
+    {TWO WHOLE("0.2 ms"), "{table: 0.csv, show: sensitivities, contacts: [1]}", {"sensitivities of "}},
+    {TWO WHOLE("0.2 ms"),
+     "{trajectory: 0.h5, every: 10 us, beads: [1, 3]}",
+     {"  samples: force, contact-force, velocity, displacement of beads 0 to 3, 21 times every 10 us until 0.2 ms\n"}},
+    {"chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n" WHOLE("40"),
+     "{table: 0.csv, show: modes, every: 5}",
+     {"time: 40 as asked\n", "  samples: velocity, displacement of points 0 to 15, 9 times every 5 until 40\n"}},
+    {"chain: {equation: shock, points: 60, epsilon: 0.5, length: 6.28, start: {simple-wave: 1, amplitude: 1}}\n" WHOLE("2"),
+     "{table: 0.csv, show: measures}",
+     {"check run: uncertainties of "}},
+};
+
+static bool has_line(const char *plan, const char *line)
+{
+    const char *found = strstr(plan, line);
+    return found && (found == plan || found[-1] == '\n');
+}
+
+/* The number behind these words; NaN: they are not there. */
+static double behind(const char *plan, const char *words)
+{
+    const char *found = strstr(plan, words);
+    return found ? strtod(found + strlen(words), NULL) : NAN;
+}
+
+static bool to_digits(double said, double value, double digits)
+{
+    return fabs(said - value) <= 0.51 * pow(10, ceil(log10(fabs(value))) - digits);
+}
+
+/* "chain A: 10 beads, 9 contacts; rkn8 (why) with steps from 6.331 us, at most about 158 of them" */
+static void chain_is_run(const char *line, const struct bead_chain *chain, const struct bead_outcome *run)
+{
+    char words[128];
+    const char *const name = bead_chain_name(chain), *end = strchr(line, '\n');
+    const bool fixed = strstr(line, "with steps of ") && strstr(line, "with steps of ") < end;
+    snprintf(words, sizeof words, "chain %s%s", name, *name ? ": " : "");
+    assert_int_equal(strncmp(line, words, strlen(words)), 0);
+    snprintf(words, sizeof words, "%zu ", bead_chain_beads(chain));
+    assert_non_null(strstr(line, words));
+    snprintf(words, sizeof words, "; %s ", run->method);
+    assert_non_null(strstr(line, words));
+    const char *const step = strstr(line, fixed ? "with steps of " : "with steps from ");
+    char *unit;
+    const double said = strtod(step + strlen(fixed ? "with steps of " : "with steps from "), &unit);
+    assert_true(to_digits(said, run->step * (strncmp(unit, " us", 3) == 0 ? 1e6 : strncmp(unit, " ms", 3) == 0 ? 1e3 : 1), 4));
+    const double most = strtod(memchr(unit, ',', (size_t)(end - unit)) ? strpbrk(strchr(unit, ','), "0123456789") : "nan", NULL);
+    if (isfinite(most)) /* steps that grow where forces are small */
+        assert_true((double)run->steps <= (fixed ? most + 1 : 1.01 * most + 1) && (double)run->steps >= (fixed ? 1 : 0.1) * most);
+}
+
+static void chains_are_run(const char *plan, const struct bead_session *session)
+{
+    size_t count = 0;
+    const struct bead_chain *const *chains = bead_session_chains(session, &count);
+    const struct bead_outcome *runs = bead_session_outcomes(session, &count);
+    for (size_t i = 0; i < count; i++, plan = strchr(plan, '\n') + 1)
+        chain_is_run(plan, chains[i], &runs[i]);
+}
+
+static void time_is_run(const char *plan, const struct bead_outcome *run)
+{
+    const char *const line = strstr(plan, "\ntime: ") + 1, *const digit = strpbrk(line, "0123456789");
+    char *unit = "";
+    const double end = digit && digit < strchr(line, '\n') ? strtod(digit, &unit) : NAN;
+    const double unit_of = strncmp(unit, " ms", 3) == 0 ? 1e-3 : 1;
+    if (isfinite(end)) /* and at most a step more */
+        assert_true(run->end >= unit_of * end * (1 - 1e-5) && run->end <= unit_of * end * (1 + 1e-5) + run->step);
+}
+
+/* A comparison of a run with fixed steps has steps as long as the plan says. */
+static void comparisons_are_run(const char *plan, const struct bead_session *session)
+{
+    size_t count = 0;
+    const struct bead_counts *counts = bead_session_counts(session);
+    const struct bead_outcome *run = bead_session_outcomes(session, &count);
+    const double longer = fmin(behind(plan, "for comparison: steps of ") * 1e-6 / run->step, behind(plan, "once more, with "));
+    const bool again = has_line(plan, "comparison run: ") || has_line(plan, "check run: ") || has_line(plan, "sensitivities of ");
+    assert_int_equal(counts->comparison_steps > 0, again);
+    assert_int_equal(run->contact_uncertainty || run->bead_uncertainty, has_line(plan, "comparison run: "));
+    if (again && strstr(plan, "with steps of ") && !strstr(plan, " of the tolerance"))
+        assert_true(fabs((double)counts->comparison_steps - (double)run->steps / longer) <= 2);
+    assert_int_equal(counts->passes, 1 + (strstr(plan, "found by a scouting run") || strstr(plan, "the latest that")));
+    const char *const samples = strstr(plan, "\n  samples: ") + 1, *const times = strstr(samples, " times every ");
+    const double planned = times ? behind(strrchr(strndupa(samples, (size_t)(times - samples)), ','), ", ") : 0;
+    assert_true((double)counts->samples == (double)count * planned);
+    assert_int_equal(counts->samples == 0, has_line(plan, "skipped: samples"));
+}
+
+static struct bead_session *play(size_t i, char **plan)
+{
+    char path[512], text[1200];
+    struct bead_message msg = {""};
+    struct bead_session *session = NULL;
+    size_t size;
+    snprintf(text, sizeof text, "%soutputs: [%s]\n", cases[i].scene, cases[i].outputs);
+    write_scene(text, path);
+    static const struct bead_sink_type *const *sinks[2];
+    sinks[0] = bead_data_sinks();
+    struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .threads = 1, .sinks = sinks};
+    FILE *file = open_memstream(plan, &size);
+    if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg) || bead_session_run(session, &msg))
+        fail_msg("%s: %s", cases[i].outputs, msg.text);
+    fclose(file);
+    return session;
+}
+
+static void runs_are_as_planned(void **)
+{
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *plan = NULL;
+        size_t count;
+        struct bead_session *session = play(i, &plan);
+        for (size_t k = 0; k < 3 && cases[i].says[k]; k++) {
+            if (!has_line(plan, cases[i].says[k]))
+                fail_msg("'%s' is not in '%s'", cases[i].says[k], plan);
+        }
+        chains_are_run(plan, session);
+        time_is_run(plan, bead_session_outcomes(session, &count));
+        comparisons_are_run(plan, session);
+        bead_session_close(session);
+        free(plan);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned)};
+    return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
+}
