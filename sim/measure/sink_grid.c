@@ -45,13 +45,14 @@ enum bead_error bead_sink_grid(const struct bead_output *output, const struct be
     grid->widens = !(output->shown.every > 0) && bead_output_show(output) && bead_output_show(output)->of_powers;
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
         return bead_output_wrong(output, msg, "time: starts at %g, but the run ends at %g", grid->start, grid->end);
+    const struct bead_grid asked = *grid;
     if (context->native.every > 0)
         snap(&context->native, output->shown.every, grid);
     if (bead_grid_is_too_fine(grid))
         return bead_output_wrong(output, msg, "every: %g gives %.3g samples; at most %g are allowed", grid->every,
                                  (grid->end - grid->start) / grid->every, most_samples);
     if (bead_grid_count(grid) == 0)
-        return bead_output_wrong(output, msg, "time: there are no samples from %g to %g", grid->start, grid->end);
+        return bead_output_wrong(output, msg, "time: there are no samples from %g to %g", asked.start, asked.end);
     return BEAD_OK;
 }
 

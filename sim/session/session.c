@@ -126,22 +126,28 @@ static enum bead_error check_job(const struct bead_job *job, struct bead_message
     return BEAD_OK;
 }
 
+/* Only trajectories are shown together. */
+static enum bead_error check_alone(const struct bead_job *job, struct bead_message *msg)
+{
+    if (job->other_count > 0 && access(job->input, F_OK) != 0)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", job->input, strerror(errno));
+    if (job->other_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`; only trajectories are shown together",
+                         job->input, job->others[0]);
+    return job->difference ? bead_fail(msg, BEAD_ERROR_USAGE, "--diff: needs two trajectories, as in --diff a.h5 b.h5 -o diff.png")
+                           : BEAD_OK;
+}
+
 /* A trajectory, a sweep's file, or a scene. */
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
-    const bool hdf5 = bead_trajectory_is(s->job.input), trajectory = hdf5 && !s->job.configuration;
-    if (!trajectory && s->job.other_count > 0 && access(s->job.input, F_OK) != 0)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", s->job.input, strerror(errno));
-    if (!trajectory && s->job.other_count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`; only trajectories are shown together",
-                         s->job.input, s->job.others[0]);
-    if (!trajectory && s->job.difference)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--diff: needs two trajectories, as in --diff a.h5 b.h5 -o diff.png");
-    if (!hdf5)
-        return open_scene(s, msg);
-    BEAD_TRY(bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg));
+    const bool hdf5 = bead_trajectory_is(s->job.input);
+    if (hdf5)
+        BEAD_TRY(bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg));
+    if (!s->trajectory || s->job.configuration)
+        BEAD_TRY(check_alone(&s->job, msg));
     if (!s->trajectory)
-        return s->job.configuration ? open_scene(s, msg) : bead_session_open_sweep_file(s, msg);
+        return hdf5 && !s->job.configuration ? bead_session_open_sweep_file(s, msg) : open_scene(s, msg);
     return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)
                         : bead_session_open_trajectory(s, msg);
 }
