@@ -286,8 +286,8 @@ with_test_drawn_allocations = $(with_test_allocations)
 with_test_markup = tests/torture/fail_alloc.c -fno-builtin
 # Its locks fail where it says so.
 with_test_files = -Wl,--wrap=flock
-# Of the command line, which is in no library, by a clock that it sets.
-with_test_progress = $(BUILD)/sim/cli/command_progress.o -Wl,--wrap=clock_gettime
+# Of the command line, which is in no library, by a clock and a terminal that it sets.
+with_test_progress = $(BUILD)/sim/cli/command_progress.o -Wl,--wrap=clock_gettime -Wl,--wrap=isatty
 $(BUILD)/tests/test_progress: $(BUILD)/sim/cli/command_progress.o
 # It looks at the layouts of all figures.
 with_test_ready_figures = -Wl,--wrap=graph_layout_make

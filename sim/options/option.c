@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One row of an option table: where it is, and in words what its value may be. */
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim/base/suggest.h"
@@ -41,7 +43,7 @@ static void limit_words(const struct bead_option *option, double limit, char *te
     snprintf(text, size, option->type == BEAD_OPTION_COUNT ? "%.0f" : "%.6g", limit);
     char *plus = strstr(text, "e+");
     if (plus)
-        memmove(plus + 1, plus + (plus[2] == '0' ? 3 : 2), strlen(plus + 2) + 1 - (plus[2] == '0'));
+        snprintf(plus + 1, size - (size_t)(plus + 1 - text), "%ld", strtol(plus + 2, NULL, 10));
 }
 
 bool bead_option_is_bounded(const struct bead_option *option)

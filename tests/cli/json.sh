@@ -108,6 +108,10 @@ if runs:
 if sweep and sweep["computed"]:
     before = sweep["known"] - sweep["computed"]
     last += f": {several(sweep['computed'], 'chain')}" + (f" of {sweep['chains']}, {before} there before" if before else "") + ", * a second"
+    for f in files:
+        rows = [r for r in csv.DictReader(open(f["path"], encoding="utf-8")) if r.get("peak_force_N")]
+        off = max((float(r["uncertainty_N"]) / float(r["peak_force_N"]) for r in rows), default=0)
+        if off > 1e-5: last += f"; forces are known to {off:.2g} of themselves, not to the 1e-06 asked for"
 lines += [last]
 for before, after in ((r"in [0-9.]+ s", "in * s"), (r"[0-9.e+]+ a second", "* a second"), (r"from [0-9.]+ ms on", "from * ms on")):
     said[-1] = re.sub(before, after, said[-1])
@@ -123,6 +127,7 @@ ok "... of peaks of beads, without errors that the method cannot tell" told scen
 ok "... of one chain beyond the model" told scene.yaml -o told --set 'chains=[{name: a, striker: {velocity: 9 m/s}, beads: [{bead: brass, count: 3}]}]' --only peaks.csv
 ok "... of a chain whose peaks are lost" told "$top/tests/errors/accB0.yaml" -o told --set simulate.until=30ms --set simulate.accuracy=1e-4
 ok "... of a sweep" told sweep -o told --set sweep.cells=6 --set sweep.configurations=1 --set sweep.magnetism=1 --only force.csv
+ok "... whose steps are too long" told sweep -o told --set sweep.cells=6 --set sweep.configurations=1 --set sweep.magnetism=0.5 --set simulate='{step: 3 us, method: rk4}' --set 'outputs=[{table: f.csv, show: configurations}]'
 
 # ---- --plan and --info ----
 
@@ -290,11 +295,12 @@ ok "--plan --json of a wrong scene" exits 2 "$beadreel" --plan scene.yaml --json
 ok "... too" is 'j["errors"][0]["file"] == "--set"'
 
 stopped() {
-    "$beadsim" scene.yaml -o stop --only peaks.csv --json --set simulate='{until: 10 s, method: rk4, step: 0.1 us}' >out 2>err &
+    "$beadsim" scene.yaml -o stop --json --set simulate='{until: 10 s, method: rk4, step: 0.1 us}' --set 'outputs=[{table: peaks.csv}, {trajectory: run.h5, every: 1 ms}]' >out 2>err &
     await test -e stop/peaks.csv.part
     kill -TERM $! && wait $!
     [ $? -eq 143 ]
 }
 ok "a stopped run" stopped
 ok "... says so" is 'j["status"] == "stopped" and j["exit"] == 143 and "signal 15" in j["errors"][0]["message"]'
+ok "... and what is left" is '[(o["name"], o["path"], o["kind"]) for o in j["outputs"]] == [("run.h5", "stop/run.h5.part", "trajectory")]'
 finish

@@ -138,6 +138,32 @@ static void ordered_chains_are_clean(void **state)
         equal(index_of(chains[i], "0.443"), 1, 0.02);
 }
 
+/* The participation of the wave with which chains of 61 beads are compared, from their index as the front arrives. */
+static double clean_of(const char *beads)
+{
+    char scene[1024];
+    const double index = index_of(beads, "0.443"), equal = 1.0 / 61;
+    snprintf(scene, sizeof scene,
+             "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [%s]}\nsimulate: {until: %.9g}\n" TABLE, beads,
+             value_of("front arrival"));
+    measure(scene);
+    return 1 / (equal + (1 / value_of("participation of energies") - equal) / index);
+}
+
+/* What most beads are is clean, whatever comes behind them; else the end, if it is regular. */
+static void most_beads_are_the_clean_chain(void **state)
+{
+    (void)state;
+    const double dimers = clean_of("{cell: [large-steel, aluminium], count: 30}"),
+                 steel = clean_of("{bead: large-steel, count: 60}");
+    assert_true(fabs(dimers / steel - 1) > 0.1);
+    equal(clean_of("{cell: [large-steel, aluminium], count: 22, spins: random, seed: 2}, {bead: large-steel, count: 16}") / dimers,
+          1, 0.03);
+    equal(clean_of("{cell: [large-steel, aluminium], count: 10, spins: random, seed: 2}, {bead: large-steel, count: 40}") / steel,
+          1, 0.03);
+    equal(clean_of("{cell: [large-steel, aluminium], count: 30, spins: random, seed: 2}") / dimers, 1, 0.03);
+}
+
 /* Mean over 8 configurations of 64 random dimers, 15 more behind them. */
 static double mean_index(double magnetism)
 {
@@ -221,6 +247,7 @@ int main(void)
         cmocka_unit_test(disorder_decays),
         cmocka_unit_test(decay_begins_behind_the_strike),
         cmocka_unit_test(ordered_chains_are_clean),
+        cmocka_unit_test(most_beads_are_the_clean_chain),
         cmocka_unit_test(disorder_delocalises),
         cmocka_unit_test(index_has_no_scale),
         cmocka_unit_test(states_are_read_at_their_times),

@@ -14,6 +14,40 @@ int __wrap_clock_gettime(clockid_t, struct timespec *at)
     return 0;
 }
 
+static bool on_terminal;
+
+int __wrap_isatty(int);
+int __wrap_isatty(int)
+{
+    return on_terminal;
+}
+
+/* A bar only on a terminal that can move its cursor; what is asked for is what is done. */
+static void modes(void **)
+{
+    static const struct {
+        bool terminal;
+        const char *type;
+        enum command_progress asked, is;
+    } cases[] = {{true, "xterm", COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_AUTO},
+                 {true, NULL, COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_AUTO},
+                 {true, "dumb", COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN},
+                 {false, "xterm", COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN},
+                 {false, NULL, COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN},
+                 {false, "dumb", COMMAND_PROGRESS_JSON, COMMAND_PROGRESS_JSON},
+                 {true, "dumb", COMMAND_PROGRESS_NONE, COMMAND_PROGRESS_NONE}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct command_meter meter;
+        on_terminal = cases[i].terminal;
+        if (cases[i].type)
+            setenv("TERM", cases[i].type, 1);
+        else
+            unsetenv("TERM");
+        command_meter_init(&meter, cases[i].asked);
+        assert_int_equal(meter.mode, cases[i].is);
+    }
+}
+
 /* What the meter writes to stderr at a time; to be freed. */
 static char *told(struct command_meter *meter, double time, struct bead_progress progress)
 {
@@ -138,7 +172,7 @@ static void quantities(void **)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lines), cmocka_unit_test(resumed_work), cmocka_unit_test(bars),
-                                       cmocka_unit_test(quantities)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(modes), cmocka_unit_test(lines), cmocka_unit_test(resumed_work),
+                                       cmocka_unit_test(bars), cmocka_unit_test(quantities)};
     return cmocka_run_group_tests_name("progress", tests, NULL, NULL);
 }

@@ -141,7 +141,8 @@ static const struct {
      {2, -3, -4},
      {{"show: peaks", NONE}, {"show: bead-peaks", NONE}, {"show: measures" EVERY("1e-6"), NONE}}},
     {MATERIALS
-     "chains:\n  - {name: A, " STRIKER ", damping: {coefficient: <1|-0.5 1 -0.5>, exponent: 1.5}, beads: [{bead: a, count: "
+     "chains:\n  - {name: A, " STRIKER
+     ", wall: rigid, damping: {coefficient: <1|-0.5 1 -0.5>, exponent: 1.5}, beads: [{bead: a, count: "
      "3}]}\n  - {name: B, law: {power: 2.25, coefficient: <1e9|-1.25 1 -2>}, " STRIKER
      ", beads: [{bead: a, count: 4}, {bead: b, sensor: s}]}\n  - {name: C, law: {fpu-alpha: <1e3|-1 0 0>, stiffness: <1e7|0 1 "
      "-2>}, " STRIKER ", beads: [{bead: a, count: 4}]}\n" UNTIL("6e-5"),
