@@ -14,6 +14,7 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/play.h"
+#include "beadreel/render.h"
 #include "sessions.h"
 #include "tests/scratch.h"
 
@@ -176,8 +177,49 @@ static void runs_are_as_planned(void **)
     }
 }
 
+/* A picture of a stored run shows forces, which follow from displacements where nothing is damped, or else what there is. */
+static void stored_runs_show_what_they_hold(void **)
+{
+    static const struct {
+        const char *damping, *fields, *shown;
+    } stored[] = {{"", "force", "force"},
+                  {"", "displacement", "force"},
+                  {"", "velocity", "velocity"},
+                  {"damping: {coefficient: 1}, ", "displacement", "displacement"},
+                  {"damping: {coefficient: 1}, ", "force, displacement", "force"}};
+    static const struct bead_sink_type *const *sinks[3];
+    char scene[512], run[600], picture[600], text[1000], expected[100];
+    sinks[0] = bead_data_sinks();
+    sinks[1] = bead_render_sinks();
+    snprintf(run, sizeof run, "%s/0.h5", directory);
+    snprintf(picture, sizeof picture, "%s/0.png", directory);
+    for (size_t i = 0; i < sizeof stored / sizeof *stored; i++) {
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        char *plan = NULL;
+        size_t size;
+        snprintf(
+            text, sizeof text,
+            "chain: {%sbeads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 50 us}\noutputs: [{trajectory: 0.h5, every: 5 "
+            "us, fields: [%s]}]\n",
+            stored[i].damping, stored[i].fields);
+        write_scene(text, scene);
+        play_counts((struct bead_job){.input = scene, .output = directory, .threads = 1});
+        struct bead_job job = {.size = sizeof job, .input = run, .output = picture, .threads = 1, .sinks = sinks};
+        FILE *file = open_memstream(&plan, &size);
+        if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg))
+            fail_msg("%s", msg.text);
+        fclose(file);
+        snprintf(expected, sizeof expected, "  samples: %s of beads 0 to 5, 11 times every 5 us until 0.05 ms", stored[i].shown);
+        if (!has_line(plan, expected) || !has_line(plan, "time: samples of a run of 0.05 ms are read; nothing is simulated\n"))
+            fail_msg("'%s' is not in '%s'", expected, plan);
+        bead_session_close(session);
+        free(plan);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
 }
