@@ -78,8 +78,7 @@ bool bead_along_uneven(const struct bead_view_setup *setup, double length)
 static double part_of(const struct bead_view_setup *setup, size_t bead, double *radius)
 {
     const double *position = bead_chain_position(setup->chain), *r = bead_chain_radius(setup->chain);
-    const size_t first = setup->beads.first, beads = bead_chain_beads(setup->chain),
-                 last = setup->beads.last < beads ? setup->beads.last : beads - 1;
+    const size_t first = setup->beads.first, last = setup->beads.last;
     const double begin = position[first] - r[first], length = position[last] + r[last] - begin;
     *radius = r[bead] / length;
     return (position[bead] - begin) / length;
@@ -88,8 +87,7 @@ static double part_of(const struct bead_view_setup *setup, size_t bead, double *
 bool bead_along_alike(const struct bead_view_setup *setup, const struct bead_view_setup *other)
 {
     bool alike = setup->beads.first == other->beads.first && setup->beads.last == other->beads.last;
-    for (size_t j = setup->beads.first; setup->over_beads && alike && j <= setup->beads.last && j < bead_chain_beads(setup->chain);
-         j++) {
+    for (size_t j = setup->beads.first; setup->over_beads && alike && j <= setup->beads.last; j++) {
         double radius, others;
         const double from = part_of(setup, j, &radius), to = part_of(other, j, &others);
         alike = !(fabs(from - to) > apart * fmin(radius, others));
