@@ -9,17 +9,13 @@
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
-static const double inch = 0.0254, most_pixels = 16384;
+static const double most_pixels = 16384;
 
-/* In pixels, even if the scene gives lengths. */
 static enum bead_error find_size(const struct bead_output *output, int *width, int *height, struct bead_message *msg)
 {
-    const struct bead_paper *asked = &output->paper;
-    double scale = asked->size_is_length ? asked->dpi / inch : 1, size[2] = {1920, 1080};
+    double size[2] = {1920, 1080};
     for (int i = 0; i < 2; i++) {
-        size[i] = asked->size[i] > 0 ? round(asked->size[i] * scale) : size[i];
-        if (asked->size_is_length) /* codecs want even numbers */
-            size[i] = 2 * round(size[i] / 2);
+        size[i] = output->paper.size[i] > 0 ? round(output->paper.size[i]) : size[i];
         if (!(size[i] >= 1 && size[i] <= most_pixels))
             return bead_output_wrong(output, msg, "size: movies have 1 to %.0f pixels a side", most_pixels);
     }
