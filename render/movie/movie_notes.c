@@ -20,18 +20,22 @@ static void find_span(const struct bead_film *film, size_t caption, double span[
     span[1] = until < times->time[1] ? bead_movie_film_time(times, until, movie->fps) : length;
 }
 
+/* Chapters begin with the film: one is added for what is before the first. */
+static void add_beginning(const struct bead_film *film, struct bead_movie_notes *notes, double first)
+{
+    const char *title = film->context.scene->title;
+    if (notes->chapter_count == 0 && first > 0)
+        notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
+}
+
 /* Puts the stops among the chapters: after captions at the same time, which have the better name. */
 static void add_stops(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;
-    const char *title = film->context.scene->title;
     for (size_t i = 0; i < movie->stop_count; i++) {
         const double start = bead_movie_stop_time(&film->times, movie->stops[i], movie->fps);
+        add_beginning(film, notes, start);
         size_t at = notes->chapter_count;
-        if (at == 0 && start > 0) {
-            notes->chapters[at++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
-            notes->chapter_count = at;
-        }
         while (at > 0 && notes->chapters[at - 1].start > start)
             at--;
         if (at > 0 && notes->chapters[at - 1].start == start)
@@ -47,15 +51,13 @@ static void add_stops(const struct bead_film *film, struct bead_movie_notes *not
 static bool fill(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;
-    const char *title = film->context.scene->title;
     char *text = notes->text;
     for (size_t i = 0; i < movie->caption_count; i++) {
         double span[2];
         find_span(film, i, span);
         if (!(span[1] > span[0]))
             continue;
-        if (notes->chapter_count == 0 && span[0] > 0)
-            notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
+        add_beginning(film, notes, span[0]);
         size_t size = strlen(movie->captions[i].text) + 1;
         if (!bead_markup_plain(movie->captions[i].text, text, size))
             return false;
