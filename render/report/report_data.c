@@ -218,7 +218,7 @@ static void write_listed(struct bead_json *json, const struct bead_measure *meas
 static size_t read_measures(struct bead_measures *measures, const struct bead_outcome *outcome,
                             struct bead_measure found[MOST_MEASURES])
 {
-    const size_t count = measures && outcome ? bead_measures_read(measures, outcome, found, MOST_MEASURES) : 0;
+    const size_t count = measures ? bead_measures_read(measures, outcome, found, MOST_MEASURES) : 0;
     return count < MOST_MEASURES ? count : MOST_MEASURES;
 }
 
@@ -226,12 +226,12 @@ static size_t read_measures(struct bead_measures *measures, const struct bead_ou
 static void write_measures(struct bead_json *json, const struct report_chain *c, const struct bead_outcome *o)
 {
     struct bead_measure found[MOST_MEASURES], checks[MOST_MEASURES];
-    const struct bead_outcome *check = c->unknown ? NULL : o->check;
+    static const struct bead_outcome none;
+    const struct bead_outcome *check = c->unknown || !o->check ? &none : o->check;
     const size_t count = read_measures(c->measures, o, found), checked = read_measures(c->check, check, checks);
     bead_json_open(json, "measures", '[');
     write_listed(json, found, count, checks, checked);
-    write_listed(json, o->measures, o->measures ? o->measure_count : 0, check ? check->measures : NULL,
-                 check && check->measures ? check->measure_count : 0);
+    write_listed(json, o->measures, o->measure_count, check->measures, check->measure_count);
     bead_json_close(json, "]");
 }
 

@@ -193,6 +193,27 @@ static void pages_hold_their_run(void **state)
     free(page);
 }
 
+/* With more beads, of all chains together, fewer times have room: 1.2 MB, of two bytes a number, forces and places of beads. */
+static void pages_have_room_for_all_chains(void **)
+{
+    char scene[512], output[512], path[512];
+    size_t length;
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    in_directory("a.html", path, sizeof path);
+    snprintf(text, sizeof text,
+             "chains:\n  - {name: a, beads: [{bead: ptfe, count: 199}]}\n  - {name: b, beads: [{bead: ptfe, count: 299}]}\n"
+             "simulate: {until: 1 us}\noutputs: [{report: a.html}]\n");
+    write_text(scene, text);
+    play_counts((struct bead_job){.input = scene, .output = output});
+    char *page = read_all(path, &length);
+    const char *count = after(data_of(page), "\"count\": ");
+    const double found = next_number(&count);
+    if (found != floor(1.2e6 / (2 * 2 * (200 + 300))))
+        fail_msg("%g times", found);
+    free(page);
+}
+
 /* What the page says of a sweep of two cells: with the clean chain, three configurations. */
 static void assert_facts(const char *data)
 {
@@ -256,6 +277,7 @@ int main(void)
         cmocka_unit_test(base64_as_in_the_standard),
         cmocka_unit_test(samples_read_back),
         cmocka_unit_test(pages_hold_their_run),
+        cmocka_unit_test(pages_have_room_for_all_chains),
         cmocka_unit_test(colours_of_sweeps_reach_their_ends),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
