@@ -111,7 +111,7 @@ static enum bead_error range_check(const struct bead_graph_axis *axis, struct be
     if (axis->low >= axis->high)
         return bead_fail(msg, BEAD_ERROR_SCENE, "range: is [%g, %g]; the first must be less than the second", axis->low,
                          axis->high);
-    if (axis->scale == BEAD_SCALE_LOG && (axis->low <= 0 || axis->high <= 0))
+    if (axis->scale == BEAD_SCALE_LOG && fmin(axis->low, axis->high) <= 0) /* of two, if one is NaN the other */
         return bead_fail(msg, BEAD_ERROR_SCENE, "range: is [%g, %g]; a logarithmic scale needs numbers above 0", axis->low,
                          axis->high);
     return BEAD_OK;
