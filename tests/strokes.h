@@ -22,7 +22,7 @@ enum { STROKES_MOST = 20000, STROKE_POINTS_MOST = 400000 };
 
 /* One path. A point is where a line goes, or begins; a curve gives its end. */
 struct stroke {
-    bool filled;
+    bool filled, closed; /* closed: its last part ends where it begins */
     cairo_surface_type_t surface;
     double width, rgb[3], dash[6], dash_offset;
     int dashes;
@@ -52,6 +52,7 @@ static void strokes_begin(void)
 static void strokes_take(struct stroke *s, cairo_t *cr, const cairo_path_data_t *data)
 {
     const int type = data->header.type, last = data->header.length - 1;
+    s->closed = type == CAIRO_PATH_CLOSE_PATH;
     if (type == CAIRO_PATH_CLOSE_PATH)
         return;
     struct stroke_point *p = &strokes.at[strokes.points++];

@@ -250,6 +250,37 @@ static struct png_file picture_of(const char *name)
     return read_png(path);
 }
 
+static bool same_picture(const struct png_file *a, const struct png_file *b)
+{
+    return a->width == b->width && a->height == b->height && memcmp(a->rgb, b->rgb, 3 * (size_t)a->width * (size_t)a->height) == 0;
+}
+
+/* Frames are found by their part of the film, and by their time; other ones differ. Of four, those after 0, 2/3 and all of 0.2 ms.
+ */
+static void frames_are_found(void **)
+{
+    static const char *const asked[][2] = {{"0%", "0 s"}, {"50%", "0.13 ms"}, {"100%", "0.2 ms"}};
+    enum { FOUND = sizeof asked / sizeof *asked };
+    struct png_file found[FOUND][2];
+    char scene[512], frame[512], text[1000];
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("frame.png", frame, sizeof frame);
+    snprintf(text, sizeof text,
+             "%s\nsimulate: {until: 0.2 ms}\noutputs: [{movie: m.gif, size: [320, 241], fps: 10, duration: 0.4 s}]\n", one);
+    write_text(scene, text);
+    for (int i = 0; i < FOUND; i++) {
+        for (int k = 0; k < 2; k++) {
+            play_counts((struct bead_job){.input = scene, .output = frame, .frame = asked[i][k], .threads = 1});
+            found[i][k] = picture_of("frame.png");
+        }
+        assert_true(found[i][0].width == 320 && found[i][0].height == 241);
+        assert_true(same_picture(&found[i][0], &found[i][1]));
+        assert_true(i == 0 || !same_picture(&found[i][0], &found[i - 1][0]));
+    }
+    for (int i = 0; i < 2 * FOUND; i++)
+        free(found[i / 2][i % 2].rgb);
+}
+
 /* A film's samples and frames pass through buffers and threads; a single frame is drawn from the samples as they come. */
 static void posters_are_frames(void **)
 {
@@ -277,8 +308,7 @@ static void posters_are_frames(void **)
             play_counts((struct bead_job){.input = scene, .output = film, .threads = 2});
             assert_int_equal(access(poster, F_OK), 0);
         }
-        assert_true(a.width == b.width && a.height == b.height);
-        assert_memory_equal(a.rgb, b.rgb, 3 * (size_t)a.width * (size_t)a.height);
+        assert_true(same_picture(&a, &b));
         free(a.rgb);
         free(b.rgb);
     }
@@ -290,6 +320,7 @@ int main(void)
         cmocka_unit_test(films_do_not_depend_on_frames_before),
         cmocka_unit_test(films_are_the_same_at_twice_the_size),
         cmocka_unit_test(posters_are_frames),
+        cmocka_unit_test(frames_are_found),
     };
     return cmocka_run_group_tests_name("films drawn anew", tests, make_directory, remove_directory);
 }

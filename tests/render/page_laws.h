@@ -65,6 +65,25 @@ static void texts_are_free(const struct drawn *d, double width, double height)
     }
 }
 
+/* Triangles point at something: two sides, at least, are equally long. What ends where it begins is an arc. */
+static void triangles_are_even(void)
+{
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke_point *p = strokes.list[j].at;
+        if (strokes.list[j].filled && strokes.list[j].count == 2 && hypot(p[1].x - p[0].x, p[1].y - p[0].y) < 30)
+            fail_msg("from %g, %g to %g, %g there is no area", p[0].x, p[0].y, p[1].x, p[1].y);
+        if (!strokes.list[j].filled || strokes.list[j].count != 3)
+            continue;
+        double side[3], odd = INFINITY;
+        for (int k = 0; k < 3; k++)
+            side[k] = hypot(p[k].x - p[(k + 1) % 3].x, p[k].y - p[(k + 1) % 3].y);
+        for (int k = 0; k < 3; k++)
+            odd = fmin(odd, fabs(side[k] - side[(k + 1) % 3]));
+        if (side[2] > 0 && (odd > 0.02 || fmin(side[0], side[1]) < 0.5))
+            fail_msg("a triangle has sides of %g, %g and %g", side[0], side[1], side[2]);
+    }
+}
+
 /* ---- numbers along axes ---- */
 
 enum { NUMBERS_MOST = 200 };
@@ -293,6 +312,7 @@ static void margins_are_kept(const struct drawn *d, size_t page, double width, d
 static void page_laws(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
+    triangles_are_even();
     titles_are_in_place(d);
     for (size_t p = 0; p < d->pages; p++) {
         frames_are_aligned(p);

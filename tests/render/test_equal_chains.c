@@ -15,7 +15,8 @@ static const char *const names[EQUAL] = {"one", "two", "six"};
 static const struct {
     const char *chains, *outputs[OUTPUTS_MOST];
 } scenes[] = {
-    {THREE(STRIKER "beads: [{bead: large-steel, count: 9}, {cell: [large-steel, aluminium], count: 3}, {bead: ptfe, sensor: s}], "
+    {THREE(STRIKER "beads: [{bead: large-steel, count: 5}, {bead: large-steel, sensor: s}, {bead: large-steel, count: 3}, {cell: "
+                   "[large-steel, aluminium], count: 3}], "
                    "wall: brass, precompression: 1 N") "simulate: {until: 0.2 ms}\n",
      {"image: %s, views: [beads, profile, spacetime]", "image: %s, orientation: time-down", "image: %s, views: [sensors]",
       "image: %s, field: velocity, views: [profile, spacetime], at: 0.1 ms", "plot: %s, show: sensors", "plot: %s, show: energy",
@@ -172,6 +173,49 @@ static void panels_are_equal(size_t page, const char *output)
     }
 }
 
+/* What is among the beads of each chain is named, from left to right. */
+static void beads_are_named(size_t page)
+{
+    static const char *const things[] = {"striker", "s", "brass wall"};
+    enum { THINGS = sizeof things / sizeof *things };
+    double at[THINGS] = {0};
+    size_t found[THINGS] = {0};
+    for (size_t i = 0; i < drawn.texts; i++) {
+        const struct words *a = &drawn.text[i];
+        for (size_t k = 0; a->page == page && k < THINGS; k++) {
+            const bool named_so = strcmp(a->text, things[k]) == 0;
+            found[k] += named_so;
+            at[k] = named_so ? a->centre[0] : at[k];
+        }
+    }
+    for (size_t k = 0; k < THINGS; k++)
+        assert_true(found[k] == EQUAL && at[k] > (k ? at[k - 1] : 0));
+}
+
+/* The band of equal beads is a quarter of a sine: at half the wave number, sin(45 deg) of its top, at the right. */
+static void bands_are_sines(size_t page)
+{
+    const struct stroke *panels[PANELS_MOST];
+    const size_t count = find_panels(page, panels);
+    size_t bands = 0;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        for (size_t p = 0; p < count; p++) {
+            const struct stroke *f = panels[p];
+            if (!is_on_page(j, page) || s->filled || s->dashes == 0 || s->count < 10 || !is_inside(s, f))
+                continue;
+            const double middle = (f->low[0] + f->high[0]) / 2, high = f->high[1] - s->low[1];
+            double at = NAN;
+            for (size_t i = 1; i < s->count; i++)
+                at = s->at[i - 1].x <= middle && s->at[i].x > middle ? f->high[1] - s->at[i].y : at;
+            assert_true(fabs(s->high[1] - f->high[1]) < 1 && fabs(s->high[0] - f->high[0]) < 1 &&
+                        fabs(at / high - sqrt(0.5)) < 0.02);
+            bands++;
+        }
+    }
+    assert_int_equal(bands, 2 * EQUAL); /* a wider line is behind each */
+}
+
 static void equal_chains_look_equal(void **)
 {
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
@@ -187,6 +231,10 @@ static void equal_chains_look_equal(void **)
         drawn_run(text, &drawn);
         page_laws(&drawn, size[0] * 72 / 25.4, size[1] * 72 / 25.4);
         for (size_t p = 0; p < drawn.pages; p++) {
+            if (strstr(scenes[i].outputs[p], "[beads"))
+                beads_are_named(p);
+            if (strstr(scenes[i].outputs[p], "dispersion"))
+                bands_are_sines(p);
             panels_are_equal(p, scenes[i].outputs[p]);
             discs_are_equal(p, scenes[i].outputs[p]);
         }

@@ -377,6 +377,16 @@ static void test_same_picture_same_bytes(void **state)
 }
 
 /* No two parts of an SVG file have the same name, and what is referred to is there. */
+/* Each tag is closed before the next one begins. */
+static void assert_tags(const char *svg)
+{
+    bool open = false;
+    for (; *svg; svg++) {
+        assert_true(*svg != (open ? '<' : '>'));
+        open = *svg == '<' || (open && *svg != '>');
+    }
+}
+
 static void assert_names(const char *svg)
 {
     char name[64], used[80];
@@ -447,6 +457,7 @@ static void test_svg_keeps_letters(void **state)
         }
         assert_string_equal(svg + length - 7, "</svg>\n");
         assert_names(svg);
+        assert_tags(svg);
         free(svg);
     }
     size_t length;

@@ -29,10 +29,14 @@ struct run {
     size_t count;
 };
 
+static double only_at = NAN; /* the time of the only sample that is not 0; NaN: none is */
+
 /* A force that begins at the sensors' own times; its comparison run leaves it at 0.5 ms. */
 static double force(size_t chain, size_t sensor, double time, bool comparison)
 {
     double off = comparison && time > 0.5e-3 ? 0.5 : 0;
+    if (!isnan(only_at))
+        return time == only_at ? amplitudes[chain][sensor] : 0;
     return amplitudes[chain][sensor] * fabs(sin(2e4 * (time + 1e-5 * (double)sensor))) + off;
 }
 
@@ -109,6 +113,21 @@ static void test_forces_are_divided_as_asked(void **state)
     release(&plain);
     release(&first);
     release(&own);
+}
+
+/* The first sample counts, and the last. */
+static void test_peaks_are_found_at_either_end(void **)
+{
+    for (int k = 0; k < 2; k++) {
+        only_at = 1e-3 * k;
+        struct run run = plot(", normalise: max");
+        for (size_t c = 0; c < CHAINS; c++) {
+            for (size_t s = 0; s < SENSORS; s++)
+                assert_true(fabs(largest(&run, c, s) - 1) < 1e-12);
+        }
+        release(&run);
+    }
+    only_at = NAN;
 }
 
 static void test_chains_share_one_axis(void **state)
@@ -229,9 +248,9 @@ static void test_words_stand_in_bands(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forces_are_divided_as_asked), cmocka_unit_test(test_chains_share_one_axis),
-        cmocka_unit_test(test_horizons_are_marked),         cmocka_unit_test(test_differences_are_below),
-        cmocka_unit_test(test_words_stand_in_bands),
+        cmocka_unit_test(test_forces_are_divided_as_asked), cmocka_unit_test(test_peaks_are_found_at_either_end),
+        cmocka_unit_test(test_chains_share_one_axis),       cmocka_unit_test(test_horizons_are_marked),
+        cmocka_unit_test(test_differences_are_below),       cmocka_unit_test(test_words_stand_in_bands),
     };
     return cmocka_run_group_tests_name("plots", tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "beadreel/render.h"
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
+#include "render/draw/words.h"
 #include "render/stage/moving_labels.h"
 #include "render/stage/stage_key.h"
 #include "strokes.h"
@@ -436,6 +437,30 @@ static void several_waves_are_told(void **)
     }
 }
 
+/* Walls are named by their material, without the size that its beads have, and by 40 letters of it. */
+static void walls_are_named(void **)
+{
+    static const char *const labels[][2] = {
+        {"Glass, 5 mm", "Glass wall"},
+        {"Glass", "Glass wall"},
+        {"0123456789012345678901234567890123456789 and more", "0123456789012345678901234567890123456789 wall"}};
+    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++) {
+        char text[600], name[96];
+        struct bead_message msg = {""};
+        struct bead_chain *chain;
+        snprintf(text, sizeof text,
+                 "materials: {glass: {label: \"%s\", density: 2500 kg/m3, radius: 5 mm, modulus: 70 GPa, poisson: 0.2}}\n"
+                 "chain: {beads: [{bead: glass, count: 3}], wall: glass}\noutputs: [{table: a.csv}]\n",
+                 labels[i][0]);
+        struct bead_scene *scene = parse(text);
+        require(bead_chain_create(scene, 0, &chain, &msg), &msg);
+        bead_wall_name(chain, name, sizeof name);
+        assert_string_equal(name, labels[i][1]);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -447,6 +472,7 @@ int main(void)
         cmocka_unit_test(wide_windows_number_all),
         cmocka_unit_test(keys_are_rows_of_samples),
         cmocka_unit_test(keys_share_what_they_say),
+        cmocka_unit_test(walls_are_named),
         cmocka_unit_test(several_waves_are_told),
     };
     return cmocka_run_group_tests_name("labels and keys of stages", tests, NULL, NULL);
