@@ -246,6 +246,42 @@ ok "... in JSON" exits 0 "$beadsim" --info all.yaml --json
 ok "... too" is '[(c["beads"], c["contacts"], c["wall"], len(c["spins"]), round(77 * c["magnetism"]), c["sensors"], [k["beads"] for k in c["kinds"]])
     for c in j["chains"]] == [(156, 156, "rigid", 77, 1, [{"name": "end", "bead": 155}], [77, 1, 77])] and j["until_s"] == 1e-5'
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
+cat >ends.yaml <<'YAML'
+chains:
+  - {name: given, wall: {absorbing: 20 kg/s}, beads: [{bead: brass, count: 3}]}
+  - {name: pressed, precompression: 8 N, wall: absorbing, beads: [{bead: brass, count: 3}]}
+  - {name: loose, wall: absorbing, damping: {coefficient: 3, exponent: 1, compression: 0.5}, beads: [{bead: brass, count: 3}]}
+simulate: {until: 1 ms}
+outputs: [{table: p.csv}]
+YAML
+# sqrt(k m), where F = A d^1.5; of solitary waves cos^4 in velocity, cos^6 in force: means of cos^6 over those of cos^4.8.
+ok "--info of absorbing ends" exits 0 "$beadsim" --info ends.yaml
+ok "... has their impedances, and damping" python3 -c '
+from math import gamma, pi
+A, m = 4 / 3 * (4.76e-3 / 2) ** 0.5 / (2 * (1 - 0.34 ** 2) / 90.2e9), 8500 * 4 / 3 * pi * 4.76e-3 ** 3
+def cosines(p): return pi ** 0.5 * gamma((p + 1) / 2) / gamma(p / 2 + 1)
+said = [line for line in open("out") if "end of" in line or "damping" in line]
+ends = ["20 kg/s", f"{(1.5 * A ** (2 / 3) * 8 ** (1 / 3) * m) ** 0.5:.4g} kg/s",
+        f"{A * (1.25 * m / A) ** 0.6 * cosines(6) / cosines(4.8):.4g} N (s/m)^1.2"]
+expected = [f"chain {name}: striker and 3 beads, 3 contacts, absorbing end of {end}\n" for name, end in zip(("given", "pressed", "loose"), ends)]
+if said != expected + ["  damping 3 N (s/m)^1 / m^0.5\n"]: raise SystemExit(str(said))'
+ok "--info of an equation" exits 0 "$beadsim" --info kdv
+ok "... has its grid" prints "chain 0: equation kdv, 800 points from x = -12, 0.0425 apart" # 34 / 800
+ok "--info of a sweep" exits 0 "$beadsim" --info sweep/sweep.h5
+sed 's/^  peak: .*/  peak/' out >words
+ok "... says all of it" diff words - <<TEXT
+sweep/sweep.h5: sweep
+title: 64 random dimers of steel and aluminium
+sweep 7 configurations of striker and 42 beads, 6 random cells, seed 2009
+  magnetism: 4 from 0 to 1
+  peak
+computed by version $("$beadsim" --version | awk 'NR == 1 {print $2}')
+output 0: plot force.png
+output 1: table force.csv
+output 2: sheet sheet.png
+output 3: sheet sheet.pdf
+output 4: sweep sweep.h5
+TEXT
 # Steps follow from the accuracy and the chain.
 planned() { "$beadsim" "$@" --plan -o out >out.txt && sed -E 's/steps (from|of) [0-9.]+ us/steps \1 N us/' out.txt | diff - plan; }
 cat >plan <<'TEXT'
