@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A file does not depend on what else a scene asks for: each output alone is, byte for byte, what it is among all the others, with
- * their other samples, fields, beads, ends and accuracies; in any order, and with all threads. */
+ * their other samples, fields, beads, ends and accuracies; in any order, and with all threads. Nor does a chain depend on others.
+ */
 #include <dirent.h>
 #include <math.h>
 #include <setjmp.h>
@@ -119,6 +120,94 @@ static void files_do_not_depend_on_others(void **)
     }
 }
 
+/* Three chains in two orders: tables of which each row has its chain, and those with columns for each. */
+static const char *const chains[] = {
+    "{name: A, " STRUCK
+    "wall: brass, precompression: 1 N, beads: [{cell: [large-steel, aluminium], count: 4}, {bead: ptfe, sensor: s}]}",
+    "{name: B, wall: rigid, " STRUCK "precompression: 2 N, beads: [{cell: [brass, ptfe], count: 3}, {bead: ptfe, sensor: s}]}",
+    "{name: C, " STRUCK "precompression: 3 N, beads: [{cell: [small-steel, ptfe], count: 5}, {bead: large-steel, sensor: s}]}"};
+static const char *const tables[] = {"show: sensors, every: 1 us",
+                                     "show: sensors, field: velocity, every: 1 us, beads: [1, 5]",
+                                     "show: peaks",
+                                     "show: bead-peaks",
+                                     "show: measures, every: 1 us",
+                                     "show: profiles, at: [20 us, 35 us]",
+                                     "show: chain",
+                                     "show: energy, every: 2 us",
+                                     "show: energy, parts: place, every: 2 us",
+                                     "show: extremes, every: 1 us",
+                                     "show: spreading, every: 1 us",
+                                     "show: bands",
+                                     "show: eigenmodes",
+                                     "show: sensitivities, contacts: [1]",
+                                     "show: spectrum, every: 0.5 us",
+                                     "show: dispersion, every: 0.5 us"};
+
+static void play_order(const int order[3], const char *folder)
+{
+    char text[4000], path[600], out[600];
+    int used = snprintf(text, sizeof text, "chains:\n");
+    for (int c = 0; c < 3; c++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - %s\n", chains[order[c]]);
+    used += snprintf(text + used, sizeof text - (size_t)used, "simulate: {until: 60 us}\noutputs:\n");
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - {table: %zu.csv, %s}\n", i, tables[i]);
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    snprintf(out, sizeof out, "%s/%s", directory, folder);
+    mkdir(out, 0777);
+    write_text(path, text);
+    play_counts((struct bead_job){.input = path, .output = out, .threads = 1});
+}
+
+static int by_text(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Its cells, each behind the name of its column and behind its row: the first field, or, where that is the chain, as it is. Sorted.
+ */
+static size_t cells_of(char *bytes, char **cells, size_t most)
+{
+    static char spare[2][4 * BYTES_MOST];
+    static int turn;
+    char *header[200], *put = spare[turn = !turn], *line = strtok(bytes, "\n");
+    size_t columns = 0, count = 0;
+    for (char *name; (name = strsep(&line, ",")) && columns < 200;)
+        header[columns++] = name;
+    const bool whole = strcmp(header[0], "chain") == 0;
+    while ((line = strtok(NULL, "\n"))) {
+        const char *const first = whole ? "" : line;
+        const size_t length = strcspn(first, ",");
+        for (size_t i = 0; i < (whole ? 1 : columns) && count < most; i++) {
+            const size_t width = whole ? strlen(line) : strcspn(line, ",");
+            cells[count++] = put;
+            put += 1 + snprintf(put, 2000, "%s %.*s %.*s", whole ? "" : header[i], (int)length, first, (int)width, line);
+            line += width + (line[width] == ',');
+            assert_true(put < spare[turn] + sizeof spare[0] - 2000);
+        }
+    }
+    qsort(cells, count, sizeof *cells, by_text);
+    return count;
+}
+
+static void chains_do_not_depend_on_their_order(void **)
+{
+    static char text[2][BYTES_MOST], *cells[2][20000];
+    play_order((const int[]){0, 1, 2}, "all");
+    play_order((const int[]){2, 0, 1}, "one");
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
+        size_t count[2];
+        for (int k = 0; k < 2; k++) {
+            assert_true(read_file(k ? "one" : "all", i, text[k]) > 40);
+            count[k] = cells_of(text[k], cells[k], 20000);
+        }
+        for (size_t c = 0; c < count[0] || c < count[1]; c++) {
+            if (count[0] != count[1] || strcmp(cells[0][c], cells[1][c]) != 0)
+                fail_msg("%s: '%s' in one order, '%s' in another", tables[i], cells[0][c], cells[1][c]);
+        }
+    }
+}
+
 static int remove_folders(void **state)
 {
     char path[600];
@@ -131,6 +220,7 @@ static int remove_folders(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(files_do_not_depend_on_others)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(files_do_not_depend_on_others),
+                                       cmocka_unit_test(chains_do_not_depend_on_their_order)};
     return cmocka_run_group_tests_name("outputs alone", tests, make_directory, remove_folders);
 }
