@@ -109,7 +109,7 @@ static void pictures_are_the_same_at_twice_the_resolution(void **)
 /* Are two texts the same but for prefixes of units? */
 static bool same_but_for_prefixes(const char *a, const char *b)
 {
-    static const char prefixes[] = "\u00b5kmMG";
+    static const char prefixes[] = "\u00b5kmMGTPnpfa";
     for (;; a++, b++) {
         a += strspn(a, prefixes), b += strspn(b, prefixes);
         if (!*a || *a != *b)
@@ -117,29 +117,36 @@ static bool same_but_for_prefixes(const char *a, const char *b)
     }
 }
 
-/* Beads a thousand times as large, and all times as long: everything is drawn in the same place, with other units. No number of the
- * program is a length, a time or a force. */
+/* Beads a thousand million times as large, and all times as long: everything is drawn in the same place, with other units. No
+ * number of the program is a length, a time, a frequency or a force. */
 static void pictures_are_the_same_in_other_units(void **)
 {
-    static const char *const units[PAIR][2] = {{"mm", "ms"}, {"m", "s"}};
+    static const char *const units[PAIR][3] = {{"0.9 um", "30 ns", "0.2 uN"}, {"900 m", "30 s", "0.2 TN"}};
     for (int k = 0; k < PAIR; k++) {
-        const char *length = units[k][0], *time = units[k][1];
+        const char *length = units[k][0], *time = units[k][1], *force = units[k][2];
         char text[4000];
         snprintf(text, sizeof text,
                  "materials:\n"
-                 "  large: {density: 7800 kg/m3, modulus: 200 GPa, poisson: 0.3, radius: 9 %s}\n"
-                 "  light: {density: 2700 kg/m3, modulus: 70 GPa, poisson: 0.3, radius: 9 %s}\n"
-                 "chain: {striker: {bead: large, velocity: 1 m/s}, wall: rigid, beads: [{cell: [large, light], count: 5}, "
+                 "  large: {density: 7800 kg/m3, modulus: 200 GPa, poisson: 0.3, radius: %s}\n"
+                 "  light: {density: 2700 kg/m3, modulus: 70 GPa, poisson: 0.3, radius: %s}\n"
+                 "chain: {striker: {bead: large, velocity: 1 m/s}, wall: rigid, precompression: %s, beads: [{cell: [large, "
+                 "light], count: 5}, "
                  "{bead: large, sensor: s}]}\n"
-                 "simulate: {until: 0.3 %s}\n"
+                 "simulate: {until: %s}\n"
                  "outputs:\n",
-                 length, length, time);
+                 length, length, force, time);
         static const char *const outputs[] = {
             "image: 0.pdf",
             "image: 1.pdf, field: velocity, views: [beads, profile, sensors]",
             "image: 2.pdf, field: displacement, orientation: time-down",
             "plot: 5.pdf, show: peaks",
             "plot: 6.pdf, show: energy",
+            "plot: 7.pdf, show: spectrum",
+            "plot: 8.pdf, show: dispersion",
+            "plot: 9.pdf, show: spectrogram",
+            "plot: 10.pdf, show: transfer",
+            "plot: 12.pdf, show: bands",
+            "plot: 16.pdf, show: eigenmodes",
         };
         for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
             snprintf(text + strlen(text), sizeof text - strlen(text), "  - {%s, style: paper, size: [140 mm, 110 mm], dpi: %d}\n",
