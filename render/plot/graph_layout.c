@@ -268,15 +268,11 @@ static void put_outer_legend(struct graph_layout *l)
 static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
     enum { FREELY = 3 };
-    double em = l->look->label, gap = graph_legend_gap * em;
+    const double gap = graph_legend_gap * l->look->label;
     struct bead_lane *columns = l->grid.columns.lane, *rows = l->grid.rows.lane;
     bool outside = l->legend.count > 0;
     columns[l->columns].least = outside && l->legend_right ? ceil(l->legend.box.width + gap) : 0;
     rows[l->rows + 1].least = outside && !l->legend_right ? ceil(l->legend.box.height + gap) : 0;
-    for (size_t c = 0; c < l->columns; c++)
-        columns[c].reach[0] = 4 * em; /* first guesses */
-    for (size_t r = 0; r < l->rows; r++)
-        rows[1 + r].reach[1] = 2.5 * em;
     BEAD_TRY(bead_layout_settle(&l->grid, FREELY, true,
                                 &(struct bead_layout_owner){.user = l, .measure = graph_measure, .no_room = no_room}, msg));
     take_plots(l);
