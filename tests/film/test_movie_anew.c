@@ -68,6 +68,8 @@ static void close_film(struct film *f)
     bead_scene_free(f->scene);
 }
 
+static double ahead = 0.4; /* beads a frame, of the first chain */
+
 /* A pulse in each chain, the first one ahead, that leaves its beads pushed on. */
 static double feed(struct film *f, int frame)
 {
@@ -78,7 +80,7 @@ static double feed(struct film *f, int frame)
         const size_t beads = bead_chain_beads(f->chains[c]);
         struct bead_sample sample = {.chain = c, .time = time, .active = beads, .comparison_active = beads};
         for (int i = 0; i < ROOM; i++) {
-            const double x = i - (2.3 - 0.4 * (double)c) * frame;
+            const double x = i - (2.3 - ahead * (double)c) * frame;
             u[i] = 1e-5 / (1 + exp(x));
             force[i] = 40 * exp(-x * x);
             speed[i] = 0.3 * exp(-x * x);
@@ -171,6 +173,52 @@ static void films_do_not_depend_on_frames_before(void **)
 {
     for (size_t i = 0; i < sizeof films / sizeof *films; i++)
         assert_nothing_trails(films[i].chains, films[i].output);
+}
+
+/* ---- equal chains ---- */
+
+/* The share of pixels of two plots that differ. */
+static double differing(const struct bead_frame *frame, struct bead_rect a, struct bead_rect b)
+{
+    int differ = 0;
+    assert_true(a.width == b.width && a.height == b.height);
+    for (int y = 0; y < a.height; y++) {
+        const uint8_t *p = frame->pixels + (size_t)(a.y + y) * frame->stride + 4 * (size_t)a.x;
+        const uint8_t *q = frame->pixels + (size_t)(b.y + y) * frame->stride + 4 * (size_t)b.x;
+        for (int x = 0; x < a.width; x++)
+            differ += memcmp(p + 4 * x, q + 4 * x, 3) != 0;
+    }
+    return (double)differ / (a.width * a.height);
+}
+
+/* What is drawn of one chain is drawn of the next. */
+static void equal_chains_look_equal(void **)
+{
+#define EQUAL "beads: [{bead: large-steel, count: 24}], wall: brass}\n"
+    static const char equal[] = "chains:\n  - {name: A, " STRUCK EQUAL "  - {name: B, " STRUCK EQUAL;
+    static const char *const outputs[] = {
+        "layout: columns, views: [beads, profile, spacetime]", "layout: stacked, views: [beads, spacetime], theme: light",
+        "layout: grid, field: velocity", "layout: beside", "layout: images, views: [beads, spacetime], orientation: time-down"};
+    static struct film f;
+    ahead = 0;
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        open_film(&f, equal, outputs[i], 1);
+        for (int k = 0; k < 5; k++)
+            draw(&f, feed(&f, k), &(struct bead_changes){0});
+        const struct bead_movie_layout *l = &f.composer->layout;
+        int compared = 0;
+        for (size_t v = 0; v < f.composer->wants.view_count; v++) {
+            const struct bead_rect a = l->chains[0].plot[v], b = l->chains[1].plot[v];
+            const double apart = a.width > 0 && b.width > 0 ? differing(bead_composer_frame(f.composer), a, b) : 0;
+            assert_true((a.width > 0) == (b.width > 0) || v == l->overlay);
+            if (apart > 0)
+                fail_msg("%s: %g of view %zu differ", outputs[i], apart, v);
+            compared += a.width > 0;
+        }
+        assert_true(compared > 0);
+        close_film(&f);
+    }
+    ahead = 0.4;
 }
 
 /* ---- size ---- */
@@ -319,6 +367,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(films_do_not_depend_on_frames_before),
         cmocka_unit_test(films_are_the_same_at_twice_the_size),
+        cmocka_unit_test(equal_chains_look_equal),
         cmocka_unit_test(posters_are_frames),
         cmocka_unit_test(frames_are_found),
     };
