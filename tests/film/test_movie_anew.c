@@ -7,6 +7,7 @@
 #include "render/movie/composer_private.h"
 #include "sessions.h"
 #include "strokes.h"
+#include "tests/numbers.h"
 #include "tests/pictures.h"
 #include "tests/scenes.h"
 #include "tests/texts.h"
@@ -260,6 +261,68 @@ static void compare_lines(const struct lines lines[2], double slack, const char 
     }
 }
 
+/* Words are on the frame, and none is on another. */
+static void words_are_apart(const struct texts *texts, int width, int height, const char *what)
+{
+    const double air = 0.14; /* of its line: what letters lack above and below */
+    for (size_t i = 0; i < texts->count; i++) {
+        const struct text *a = &texts->text[i];
+        bool good =
+            a->x >= -1 && a->x + a->width <= width + 1 && a->y + air * a->height >= 0 && a->y + (1 - air) * a->height <= height;
+        for (size_t j = 0; j < i; j++) {
+            const struct text *b = &texts->text[j];
+            good = good &&
+                   !(a->x < b->x + b->width && b->x < a->x + a->width && a->y + air * a->height < b->y + (1 - air) * b->height &&
+                     b->y + air * b->height < a->y + (1 - air) * a->height);
+        }
+        if (!good)
+            fail_msg("%s: '%s' at %g, %g is beyond the frame, or on another", what, a->markup, a->x, a->y);
+    }
+}
+
+static double middle_of(const struct text *t, int along)
+{
+    return along ? t->y + t->height / 2 : t->x + t->width / 2;
+}
+
+/* Are two numbers of one axis? Those below a plot are level; those on the left end at one place. */
+static bool is_of_axis(const struct text *a, const struct text *b, int along)
+{
+    return along ? fabs(a->x + a->width - b->x - b->width) < 2 && fabs(a->y - b->y) > 1
+                 : fabs(a->y - b->y) < 1 && a->height == b->height && fabs(a->x - b->x) > 1;
+}
+
+/* Numbers that follow each other along an axis are where one scale says. */
+static size_t numbers_are_in_place(const struct texts *texts, const char *what)
+{
+    size_t axes = 0;
+    for (int along = 0; along < 2; along++) {
+        for (size_t from = 0, to; from < texts->count; from = to) {
+            const struct text *t = texts->text;
+            for (to = from + 1; to < texts->count && !isnan(number_of(t[from].markup)) && !isnan(number_of(t[to].markup)) &&
+                                is_of_axis(&t[to - 1], &t[to], along) &&
+                                (number_of(t[to].markup) > number_of(t[to - 1].markup)) ==
+                                    (number_of(t[from + 1].markup) > number_of(t[from].markup));)
+                to++;
+            double least = to - from > 2 ? INFINITY : 0;
+            for (int scale = 0; scale < SCALES && to - from > 2; scale++) {
+                double off = 0;
+                const double first = scaled(number_of(t[from].markup), scale), last = scaled(number_of(t[to - 1].markup), scale),
+                             begin = middle_of(&t[from], along), end = middle_of(&t[to - 1], along);
+                for (size_t i = from + 1; i + 1 < to; i++)
+                    off = fmax(off, fabs(begin + (scaled(number_of(t[i].markup), scale) - first) / (last - first) * (end - begin) -
+                                         middle_of(&t[i], along)));
+                least = isfinite(off) && isfinite(first) && off < least ? off : least;
+            }
+            axes += to - from > 2;
+            if (!(least < 3))
+                fail_msg("%s: numbers from '%s' to '%s' are %g px beside their places", what, t[from].markup, t[to - 1].markup,
+                         least);
+        }
+    }
+    return axes;
+}
+
 /* All words and lines are twice as large and as far from the corner in a frame of twice the size. Places are rounded to pixels; on
  * stages beads have sizes in steps, of which places depend. */
 static void films_are_the_same_at_twice_the_size(void **)
@@ -276,6 +339,8 @@ static void films_are_the_same_at_twice_the_size(void **)
         const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 10 : 56;
         compare_lines(lines, slack, films[i].output);
         assert_true(f[0].texts.count > 10);
+        words_are_apart(&f[1].texts, 4 * WIDTH, 4 * HEIGHT, films[i].output);
+        assert_true(numbers_are_in_place(&f[1].texts, films[i].output) > 2);
         assert_int_equal(f[0].texts.count, f[1].texts.count);
         for (size_t t = 0; t < f[0].texts.count; t++) {
             const struct text *a = &f[0].texts.text[t], *b = &f[1].texts.text[t];

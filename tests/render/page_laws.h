@@ -5,6 +5,7 @@
 #define BEADREEL_TESTS_PAGE_LAWS_H
 
 #include "drawn.h"
+#include "tests/numbers.h"
 
 #define assert_page(words, law)                                                                                       \
     do {                                                                                                              \
@@ -96,34 +97,10 @@ struct numbers {
     } number[NUMBERS_MOST];
 };
 
-/* The number that a text is, else NAN. */
-static double number_of(const char *text)
-{
-    char plain[64];
-    size_t used = 0;
-    for (const char *c = text; *c && used + 1 < sizeof plain;) {
-        if (!strncmp(c, "\u2212", 3))
-            plain[used++] = '-', c += 3;
-        else if ((*c >= '0' && *c <= '9') || *c == '.')
-            plain[used++] = *c++;
-        else if (!strncmp(c, "\u202f", 3))
-            c += 3;
-        else
-            return NAN;
-    }
-    plain[used] = 0;
-    return used ? strtod(plain, NULL) : NAN;
-}
-
 static int by_place(const void *a, const void *b)
 {
     const double x = ((const struct number *)a)->at, y = ((const struct number *)b)->at;
     return (x > y) - (x < y);
-}
-
-static double scaled(double value, int scale)
-{
-    return scale == 0 ? value : scale == 1 ? log10(value) : copysign(sqrt(fabs(value)), value);
 }
 
 /* How far a number is from its place between the first and the last on such a scale. */
@@ -156,7 +133,6 @@ static double tick_gap(const struct number *n, int along)
 
 static void numbers_are_in_place(const struct number *n, size_t count, int along)
 {
-    enum { SCALES = 3 };
     double off = INFINITY;
     for (int scale = 0; scale < SCALES; scale++)
         off = fmin(off, off_scale(n, count, scale));
