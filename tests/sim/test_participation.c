@@ -157,7 +157,7 @@ static void most_beads_are_the_clean_chain(void **state)
     const double dimers = clean_of("{cell: [large-steel, aluminium], count: 30}"),
                  steel = clean_of("{bead: large-steel, count: 60}");
     assert_true(fabs(dimers / steel - 1) > 0.1);
-    equal(clean_of("{cell: [large-steel, aluminium], count: 22, spins: random, seed: 2}, {bead: large-steel, count: 16}") / dimers,
+    equal(clean_of("{cell: [large-steel, aluminium], count: 18, spins: random, seed: 2}, {bead: large-steel, count: 24}") / dimers,
           1, 0.03);
     equal(clean_of("{cell: [large-steel, aluminium], count: 10, spins: random, seed: 2}, {bead: large-steel, count: 40}") / steel,
           1, 0.03);
