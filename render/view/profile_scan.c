@@ -268,7 +268,7 @@ static void draw_patterns(const struct bead_curve *c, size_t i, const float ends
     for (size_t k = i; k < c->count && c->x[k - 1] < ends[1]; k++)
         all += cut(c, k, ends, &p) ? p.length : 0;
     if (c->x[0] <= ends[0] && c->x[c->count - 1] >= ends[1])
-        stretch = all / (pattern_length(c) * most(1, roundf(all / pattern_length(c))));
+        stretch = all / (pattern_length(c) * roundf(all / pattern_length(c))); /* one at least: strips are that wide */
     left = stretch * dash_length(c, 0);
     for (; i < c->count && c->x[i - 1] < ends[1]; i++) {
         if (!cut(c, i, ends, &p))
