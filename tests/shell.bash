@@ -8,7 +8,7 @@ beadreel=$BUILD/beadreel
 beadsim=$BUILD/beadsim
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
 # leave : a signal may meet a process of the background before it has become its program; that copy of the shell comes here, too.
-leave() { case $BASHPID in $$) rm -rf "$T" ;; esac; }
+leave() { case $BASHPID in "$$") rm -rf "$T" ;; esac; }
 trap leave EXIT
 export PYTHONDONTWRITEBYTECODE=1
 # Debian's, which has Debian's packages, and starts sooner than what may stand before it in the PATH.

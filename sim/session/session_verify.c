@@ -5,7 +5,7 @@
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
-/* Each round takes a tenth of the accuracy of the one before, with the method that suits it; below the least, only rounding differs. */
+/* Each round takes a tenth of the last accuracy, with the method that suits it; below the least, only rounding differs. */
 static const double tenth = 0.1, least = 1e-13;
 
 /* The result of a round: peaks that miss the requested accuracy, and the worst of all. */

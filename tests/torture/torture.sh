@@ -15,7 +15,7 @@ export BEADREEL_ASSETS=$PWD/assets
 beadreel=$build/beadreel
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-torture.XXXXXX") || exit 1
 leave() {
-    case $BASHPID in $$) ;; *) return ;; esac # a copy of this shell that a signal met before it had become the program
+    case $BASHPID in "$$") ;; *) return ;; esac # a copy of this shell that a signal met before it had become the program
     ! mountpoint -q "$T/disk" || umount "$T/disk"
     rm -rf "$T"
 }
