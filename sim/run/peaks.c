@@ -18,6 +18,7 @@ enum { PADDING = 16 };
 static const double least_part = 1e-9;
 
 struct bead_peaks {
+    const struct bead_chain *chain;
     bool of_beads;
     size_t first, count; /* first..count-1 are searched */
     const double *after; /* [beads]: s; NULL: all maxima count */
@@ -42,11 +43,20 @@ static struct bead_peak static_peak(const struct bead_chain *chain, bool of_bead
 
 /* A maximum lower than this part of the highest is no rival. */
 static const double rivalry = 0.5;
+/* Nor is it a second one, if the wave of both, the force beyond the static one, is not at least this part: it is the wave that
+ * errors of the run make lower. */
+static const double second_part = 0.9;
+
+static double second_bar(const struct bead_peaks *p, size_t i)
+{
+    const double still = static_peak(p->chain, p->of_beads, i).value;
+    return still + second_part * (p->best[i].value - still);
+}
 
 /* Maxima of lower forces do not matter. */
 static double interest(const struct bead_peaks *p, size_t i)
 {
-    const double best = p->best[i].value, second = p->second ? fmax(BEAD_PEAKS_SECOND * best, p->second[i].value) : best;
+    const double best = p->best[i].value, second = p->second ? fmax(second_bar(p, i), p->second[i].value) : best;
     return p->rival ? fmin(rivalry * best, second) : second;
 }
 
@@ -64,6 +74,7 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
     size_t beads = stepper->beads;
     struct bead_peaks *p = *peaks = calloc(1, sizeof *p);
     if (p) {
+        p->chain = stepper->chain;
         p->of_beads = of_beads;
         p->count = of_beads ? beads : stepper->chain->contacts;
         p->first = span.first < p->count ? span.first : p->count;
@@ -205,16 +216,17 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
 static void keep(struct bead_peaks *p, size_t index, struct bead_peak found)
 {
     const struct bead_peak before = p->best[index];
-    const bool is_best = found.value > before.value, is_other = before.time > 0 && !before.open;
+    const bool is_best = found.value > before.value, is_other = !is_best || (before.time > 0 && !before.open);
+    const struct bead_peak lower = is_best ? before : found;
+    struct bead_peak *second = p->second ? &p->second[index] : NULL;
     if (is_best)
         p->best[index] = found;
-    if (p->rival && (!is_best || is_other))
-        p->rival[index] = is_best ? before : found;
-    if (!p->second || (is_best && !is_other) || !(found.time - before.time > p->apart))
-        return;
-    const struct bead_peak lower = is_best ? before : found;
-    if (lower.value > p->second[index].value)
-        p->second[index] = lower;
+    if (p->rival && is_other)
+        p->rival[index] = lower;
+    if (second && is_other && found.time - before.time > p->apart && lower.value > second->value)
+        *second = lower;
+    if (second && second->value < second_bar(p, index))
+        second->time = NAN;
 }
 
 /* The maximum within a part of the step at whose start the force rises and at whose end it falls, if it comes before the limit and

@@ -21,9 +21,8 @@ BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper,
  * responds most strongly, or the one before the highest if that is the last. Call it before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
                                                   struct bead_message *msg);
-/* Also keeps the second highest maximum of each, if it is above this part of the highest: errors of the run may have made it lower.
- * Maxima less than `apart` seconds after the highest count as the same. Call it before the first step. Errors: MEMORY. */
-#define BEAD_PEAKS_SECOND 0.9
+/* Also keeps the second highest maximum of each, if it is nearly as high: errors of the run may have made it lower. Maxima less
+ * than `apart` seconds after the highest count as the same. Call it before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_second(struct bead_peaks *peaks, const struct bead_stepper *stepper, double apart,
                                                   struct bead_message *msg);
 /* Counts maxima of each only after its time, s. The times must outlive the peaks. Call it before the first step. */

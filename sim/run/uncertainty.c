@@ -37,8 +37,7 @@ static struct maxima maxima_of(const struct bead_uncertainty_of *of, const struc
                                const struct bead_peak *second, size_t i)
 {
     struct maxima m = {.most = {&highest[i]}, .count = 1};
-    if (second && second[i].time > 0 && second[i].value >= BEAD_PEAKS_SECOND * highest[i].value &&
-        !(of->end > 0 && second[i].time > of->end))
+    if (second && second[i].time > 0 && !(of->end > 0 && second[i].time > of->end))
         m.most[m.count++] = &second[i];
     return m;
 }

@@ -54,8 +54,7 @@ struct bead_uncertainty_of {
     double apart;    /* s: half the shortest period of the chain; maxima further apart than that are different ones */
 };
 
-/* The highest maxima of a run for each contact or bead, and the second highest if that is above BEAD_PEAKS_SECOND of it, else with
- * the time NaN; NULL: none. */
+/* The highest maxima of a run for each contact or bead, and the second highest (bead_peaks_keep_second); NULL: none. */
 struct bead_maxima {
     const struct bead_peak *highest, *second;
 };
