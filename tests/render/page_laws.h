@@ -254,9 +254,9 @@ static bool is_panel(size_t stroke, size_t page)
 static void frames_are_aligned(size_t page)
 {
     for (size_t i = 0; i < strokes.count; i++) {
-        for (size_t j = 0; j < i; j++) {
+        for (size_t j = 0; is_panel(i, page) && j < i; j++) {
             const struct stroke *a = &strokes.list[i], *b = &strokes.list[j];
-            for (int k = 0; k < 2 && is_panel(i, page) && is_panel(j, page); k++) {
+            for (int k = 0; k < 2 && is_panel(j, page); k++) {
                 const bool begin = fabs(a->low[k] - b->low[k]) < 0.3, end = fabs(a->high[k] - b->high[k]) < 0.3;
                 const double size = (a->high[k] - a->low[k]) / (b->high[k] - b->low[k]);
                 if (is_level(a, b, k) && !is_level(a, b, !k) && !(size > 0.6 && size < 1.6 ? begin && end : begin || end))

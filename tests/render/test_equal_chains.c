@@ -225,7 +225,7 @@ static void equal_chains_look_equal(void **)
             char keys[1000], file[20];
             snprintf(file, sizeof file, "%zu.pdf", k);
             snprintf(keys, sizeof keys, scenes[i].outputs[k], file);
-            used += snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, size: [%d mm, %d mm], dpi: 508}\n",
+            used += snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, size: [%d mm, %d mm], dpi: 381}\n",
                              keys, size[0], size[1]);
         }
         drawn_run(text, &drawn);
