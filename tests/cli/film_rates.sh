@@ -73,7 +73,7 @@ for scene in $("$beadreel" --list scenes | awk '{print $1}'); do
         ok "films of $scene" made
         all_constant 60
         formats=mp4
-    done < <("$beadreel" "$scene" --plan | grep '^output' | grep -nE '^output [^ ]*: [0-9]+ frames' | awk -F: '{print $1 - 1}')
+    done < <("$beadreel" --info "$scene" | sed -n 's/^output \([0-9]*\): movie .*/\1/p')
 done
 ok "scenes have films" [ $films -ge 7 ]
 
