@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains that are equal look equal, on paper, as numbers: each panel of a page shows the same lines, areas and words in the same
- * places of its frame. What is done for one chain is done for the others, the last one, too. */
+ * places of its frame. Those that differ say the same in any order. What is done for one is done for all, the last one, too. */
 #include "drawn.h"
 #include "page_laws.h"
 
@@ -242,10 +242,74 @@ static void equal_chains_look_equal(void **)
     assert_true(named > 10);
 }
 
+/* Words of a page without letters of panels, sorted. */
+static int by_words(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static size_t words_of(const struct drawn *d, size_t page, const char *words[WORDS_MOST])
+{
+    size_t count = 0;
+    for (size_t i = 0; i < d->texts; i++) {
+        const char *text = d->text[i].text, *letter = text[0] == '(' ? strchr(text, ')') : NULL;
+        if (d->text[i].page == page)
+            words[count++] = letter ? letter + 1 : text;
+    }
+    qsort(words, count, sizeof *words, by_words);
+    return count;
+}
+
+/* Chains that differ say the same in any order: no range, unit, legend or label is of the first alone. */
+static void chains_have_no_order(void **)
+{
+    static const char *const chains[] = {
+        "{name: one, " STRIKER "beads: [{bead: large-steel, count: 9}, {bead: ptfe, sensor: s}]}",
+        "{name: two, " STRIKER
+        "beads: [{bead: large-steel, count: 4}, {bead: small-steel, sensor: t}, {bead: large-steel}], wall: brass}",
+        "{name: six, striker: {bead: large-steel, velocity: 0.2 m/s}, beads: [{cell: [large-steel, aluminium], count: 6}, {bead: "
+        "large-steel, sensor: s}], wall: rigid}"};
+    static const char *const outputs[] = {"image: %zu.pdf",
+                                          "image: %zu.pdf, views: [beads, profile]",
+                                          "image: %zu.pdf, field: velocity, orientation: time-down",
+                                          "plot: %zu.pdf, show: sensors",
+                                          "plot: %zu.pdf, show: energy",
+                                          "plot: %zu.pdf, show: peaks",
+                                          "plot: %zu.pdf, show: setup",
+                                          "plot: %zu.pdf, show: profiles, at: [0.05 ms, 0.1 ms]",
+                                          "plot: %zu.pdf, show: spectrum",
+                                          "plot: %zu.pdf, show: spreading"};
+    enum { OUTPUTS = sizeof outputs / sizeof *outputs };
+    static struct drawn orders[2];
+    for (int k = 0; k < 2; k++) {
+        char text[5000];
+        int used = snprintf(text, sizeof text, "chains:\n  - %s\n  - %s\n  - %s\nsimulate: {until: 0.2 ms}\noutputs:\n",
+                            chains[k ? 2 : 0], chains[1], chains[k ? 0 : 2]);
+        for (size_t i = 0; i < OUTPUTS; i++) {
+            used += snprintf(text + used, sizeof text - (size_t)used, "  - {");
+            used += snprintf(text + used, sizeof text - (size_t)used, outputs[i], i);
+            used += snprintf(text + used, sizeof text - (size_t)used, ", style: paper, size: [%d mm, %d mm], dpi: 127}\n", size[0],
+                             size[1]);
+        }
+        drawn_run(text, &orders[k]);
+    }
+    for (size_t p = 0; p < OUTPUTS; p++) {
+        static const char *words[2][WORDS_MOST];
+        const size_t count = words_of(&orders[0], p, words[0]), other = words_of(&orders[1], p, words[1]);
+        assert_true(count > 10);
+        assert_int_equal(count, other);
+        for (size_t i = 0; i < count; i++) {
+            if (strcmp(words[0][i], words[1][i]) != 0)
+                fail_msg("%s: '%s' is '%s' in another order", outputs[p], words[0][i], words[1][i]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_chains_look_equal),
+        cmocka_unit_test(chains_have_no_order),
     };
     return cmocka_run_group_tests_name("equal chains", tests, make_directory, remove_directory);
 }
