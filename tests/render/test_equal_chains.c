@@ -263,12 +263,12 @@ static size_t words_of(const struct drawn *d, size_t page, const char *words[WOR
 /* Chains that differ say the same in any order: no range, unit, legend or label is of the first alone. */
 static void chains_have_no_order(void **)
 {
-    static const char *const chains[] = {
-        "{name: one, " STRIKER "beads: [{bead: large-steel, count: 9}, {bead: ptfe, sensor: s}]}",
-        "{name: two, " STRIKER
-        "beads: [{bead: large-steel, count: 4}, {bead: small-steel, sensor: t}, {bead: large-steel}], wall: brass}",
-        "{name: six, striker: {bead: large-steel, velocity: 0.2 m/s}, beads: [{cell: [large-steel, aluminium], count: 6}, {bead: "
-        "large-steel, sensor: s}], wall: rigid}"};
+    static const char one[] = "{name: one, " STRIKER "beads: [{bead: large-steel, count: 9}, {bead: ptfe, sensor: s}]}",
+                      two[] = "{name: two, " STRIKER "beads: [{bead: large-steel, count: 4}, {bead: small-steel, sensor: t}, "
+                              "{bead: large-steel}], wall: brass}",
+                      six[] = "{name: six, striker: {bead: large-steel, velocity: 0.2 m/s}, beads: [{cell: [large-steel, "
+                              "aluminium], count: 6}, {bead: large-steel, sensor: s}], wall: rigid}";
+    static const char *const chains[] = {one, two, six};
     static const char *const outputs[] = {"image: %zu.pdf",
                                           "image: %zu.pdf, views: [beads, profile]",
                                           "image: %zu.pdf, field: velocity, orientation: time-down",
