@@ -178,8 +178,7 @@ static size_t means_in_rows(const struct bead_area *a, const double *values, siz
         const struct share *s = &a->shares[i];
         double value = values[i] - a->rest[i];
         rows[s->row] += s->own * value;
-        if (s->next > 0)
-            rows[s->last] += s->next * value;
+        rows[s->last] += s->next * value; /* 0 of its own row again, where it has no other */
     }
     return touched;
 }
