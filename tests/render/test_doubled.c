@@ -190,6 +190,26 @@ static void equal_axes_are_labelled_once(void **)
     assert_int_equal(count_texts(&drawn[0], "bead"), 3); /* along both, and in the title of a bar */
 }
 
+/* Times of profiles have the decimals that any of them needs, as many for all, but no more than five digits. */
+static void times_have_the_digits_they_need(void **)
+{
+    static const struct {
+        const char *at, *said[2];
+    } times[] = {{"10 us, 20 us", {"10\u00a0\u00b5s", "20\u00a0\u00b5s"}},
+                 {"10.25 us, 20 us", {"10.25\u00a0\u00b5s", "20.00\u00a0\u00b5s"}},
+                 {"10.123456 us, 20 us", {"10.123\u00a0\u00b5s", "20.000\u00a0\u00b5s"}}};
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        char text[500];
+        snprintf(text, sizeof text,
+                 "chain: {" STRIKER "beads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 30 us}\n"
+                 "outputs: [{plot: a.pdf, show: profiles, at: [%s]}]\n",
+                 times[i].at);
+        drawn_run(text, &drawn[0]);
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(count_texts(&drawn[0], times[i].said[k]), 1);
+    }
+}
+
 /* Stacks of energy have the parts that are there: no gravity without a slope, no springs without any. */
 static void stacks_have_what_there_is(void **)
 {
@@ -414,6 +434,7 @@ int main(void)
         cmocka_unit_test(pictures_are_the_same_in_other_units),
         cmocka_unit_test(equal_axes_are_labelled_once),
         cmocka_unit_test(stacks_have_what_there_is),
+        cmocka_unit_test(times_have_the_digits_they_need),
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
         cmocka_unit_test(images_show_their_time),
