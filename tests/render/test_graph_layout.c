@@ -111,6 +111,24 @@ static void ranges_leave_room_around_the_data(void **)
     }
 }
 
+/* Points of which one number is missing take no room along the other axis. */
+static void half_points_take_no_room(void **)
+{
+    static const double whole[] = {4, 6, 8}, part[] = {NAN, 6, 8}, wide[] = {-100, 6, 8};
+    struct bead_message msg = {""};
+    for (int k = 0; k < 2; k++) {
+        const struct bead_graph_axis axis = {.unit = "", .low = NAN, .high = NAN};
+        const struct bead_series series[2] = {{.x = k ? part : wide, .y = k ? wide : part, .count = 3},
+                                              {.x = whole, .y = whole, .count = 3}};
+        const struct bead_panel p = {.x = axis, .y = axis, .series = series, .series_count = 2};
+        const struct bead_graph graph = {.panels = &p, .panel_count = 1};
+        struct graph_cell found = {.panel = &p};
+        struct graph_layout layout = {.graph = &graph, .cells = &found};
+        assert_int_equal(graph_find_ranges(&layout, &msg), BEAD_OK);
+        assert_true(found.low[0] == 4 && found.high[0] == 8 && found.low[1] > 3 && found.high[1] < 9);
+    }
+}
+
 /* ---- the mask of what is covered, and words beside rulers ---- */
 
 static struct graph_mask mask_of(const struct bead_series *series, size_t count)
@@ -758,6 +776,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(ranges_leave_room_around_the_data, set_up),
+        cmocka_unit_test_setup(half_points_take_no_room, set_up),
         cmocka_unit_test_setup(masks_count_covered_cells, set_up),
         cmocka_unit_test_setup(words_stand_beside_their_lines, set_up),
         cmocka_unit_test_setup(legends_are_columns_of_entries, set_up),
