@@ -70,6 +70,13 @@ ok "... which are run by name" part short 1 "1 passed, 1 failed" test_bad
 mv "$T/tests/long.txt" "$T/tests/slow.txt"
 ok "... and all but the slow ones" part quick 1 "7 passed, 3 failed, 5 skipped"
 ok "... and these alone" part slow 1 "2 passed, 2 failed"
+program test_reports <<'SH'
+printf '1..1\nnot ok 1 - a\n'
+case $ASAN_OPTIONS in *symbolize=0*) echo 'Sanitizer: 0x1' >&2 ;; *) echo '#0 main' >&2 ;; esac
+exit 1
+SH
+reports() { ASAN_OPTIONS='' ends 1 "0 passed, 1 failed" test_reports && prints "Sanitizer: 0x1" && prints "#0 main"; }
+ok "what a sanitizer reports is shown with its names, too" reports
 # Names in the list are names of tests.
 all_are_tests() {
     local name rest
