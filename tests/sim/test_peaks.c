@@ -102,18 +102,23 @@ static const char *const chains[] = {
     /* all displacements are negative: */
     "chain: {precompression: 10 N, wall: rigid, start: [{bead: 17, velocity: -0.3 m/s}], beads: [{bead: large-steel, count: "
     "20}]}\n",
+    /* a bead's force rises within a step, at whose ends it falls: one contact's rises as the other's falls */
+    "materials:\n  a: {density: 14515, modulus: 16.1 GPa, poisson: 0.3, radius: 0.678 mm}\n"
+    "  b: {density: 1663, modulus: 2.73 GPa, poisson: 0.3, radius: 1.45 mm}\n"
+    "  c: {density: 7247, modulus: 3.25 GPa, poisson: 0.3, radius: 1.09 mm}\n"
+    "chain: {striker: {bead: b, velocity: 0.5}, wall: rigid, beads: [{bead: b}, {bead: c}, {bead: b}, {bead: a}]}\n",
 };
-enum { CHAINS = sizeof chains / sizeof *chains };
+enum { SWINGING = sizeof chains / sizeof *chains - 1, CHAINS = SWINGING }; /* the last is for the first test */
 
 /* No sample is larger than the peak, and the peak hardly larger than the largest; where a force still rises at the end, its peak is
  * the last sample. */
 static void no_sample_is_larger(void **state)
 {
     (void)state;
-    static const double ends[] = {0.35e-3, 0.18e-3, 0.6e-3, 0.45e-3, 0.3e-3};
+    static const double ends[] = {0.35e-3, 0.18e-3, 0.6e-3, 0.45e-3, 0.3e-3, 0.6e-3};
     size_t open = 0;
-    for (size_t c = 0; c < CHAINS; c++) {
-        struct built built = build(chains[c], "until: 1 ms");
+    for (size_t c = 0; c <= SWINGING; c++) {
+        struct built built = build(chains[c], c < SWINGING ? "until: 1 ms" : "until: 1 ms, accuracy: 1e-4");
         struct bead_run *run =
             start_run(&built, (struct bead_run_settings){.end = ends[c], .contact_peaks = true, .bead_peaks = true});
         static struct all_sampled all;
