@@ -218,8 +218,27 @@ static void stored_runs_show_what_they_hold(void **)
     }
 }
 
+/* Pictures without room are refused before a chain is run, wherever they are among the outputs of a sweep. */
+static void pictures_of_sweeps_are_looked_at_first(void **)
+{
+    static const char *const outputs[] = {"{sheet: a.png, size: [20, 10]}, {table: b.csv}",
+                                          "{table: b.csv}, {plot: a.png, size: [30, 20]}"};
+    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        char path[512], text[400];
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        snprintf(text, sizeof text, "sweep: {cells: 4, configurations: 1, magnetism: 0}\noutputs: [%s]\n", outputs[i]);
+        write_scene(text, path);
+        struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .threads = 1, .sinks = sinks};
+        assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_SCENE);
+        assert_non_null(strstr(msg.text, "size: "));
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold),
+                                       cmocka_unit_test(pictures_of_sweeps_are_looked_at_first)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
 }
