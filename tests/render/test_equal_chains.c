@@ -216,6 +216,20 @@ static void bands_are_sines(size_t page)
     assert_int_equal(bands, 2 * EQUAL); /* a wider line is behind each */
 }
 
+/* Cells of two beads have two bands, and nothing is drawn from one to the other. */
+static void bands_are_apart(size_t page)
+{
+    size_t curves = 0;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        if (!is_on_page(j, page) || s->filled || s->count < 20)
+            continue;
+        assert_int_equal(s->begun, 2);
+        curves++;
+    }
+    assert_int_equal(curves, EQUAL);
+}
+
 static void equal_chains_look_equal(void **)
 {
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
@@ -233,6 +247,8 @@ static void equal_chains_look_equal(void **)
         for (size_t p = 0; p < drawn.pages; p++) {
             if (strstr(scenes[i].outputs[p], "[beads"))
                 beads_are_named(p);
+            if (strstr(scenes[i].outputs[p], "bands"))
+                bands_are_apart(p);
             if (strstr(scenes[i].outputs[p], "dispersion"))
                 bands_are_sines(p);
             panels_are_equal(p, scenes[i].outputs[p]);
