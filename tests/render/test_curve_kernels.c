@@ -221,6 +221,32 @@ static void draw_piece(const struct bead_curve *curve, const struct bead_curve *
     bead_curve_dots(dots, r, piece_rect, from, to, frame);
 }
 
+/* Of dots at the corners of a plot there is what is within it, and nothing beyond. */
+static void test_dots_at_corners(void **)
+{
+    enum { SIDE = 40, EDGE = 10, INSIDE = SIDE - 2 * EDGE };
+    static const float near[] = {0, INSIDE}, far[] = {EDGE, EDGE + INSIDE};
+    struct bead_message msg = {""};
+    struct bead_frame part, whole;
+    require(bead_frame_create(SIDE, SIDE, &part, &msg), &msg);
+    require(bead_frame_create(SIDE, SIDE, &whole, &msg), &msg);
+    memset(part.pixels, 0, part.stride * SIDE);
+    memset(whole.pixels, 0, whole.stride * SIDE);
+    const struct bead_curve one = {near, near, 2, .line = {1, 1, 1}}, other = {far, far, 2, .line = {1, 1, 1}};
+    bead_curve_dots(&one, 4.3F, (struct bead_rect){EDGE, EDGE, INSIDE, INSIDE}, 0, INSIDE, &part);
+    bead_curve_dots(&other, 4.3F, (struct bead_rect){0, 0, SIDE, SIDE}, 0, SIDE, &whole);
+    for (int y = 0; y < SIDE; y++) {
+        for (int x = 0; x < SIDE; x++) {
+            const bool within = x >= EDGE && x < SIDE - EDGE && y >= EDGE && y < SIDE - EDGE;
+            const size_t at = (size_t)y * part.stride + 4 * (size_t)x;
+            assert_int_equal(part.pixels[at], within ? whole.pixels[at] : 0);
+        }
+    }
+    assert_true(whole.pixels[EDGE * whole.stride + 4 * EDGE] == 255);
+    bead_frame_free(&part);
+    bead_frame_free(&whole);
+}
+
 /* Lines with areas and dots, at uneven places, beyond the plot above and below: the same in pieces of any width, over what was
  * drawn before, and nothing beside the plot. */
 static void test_pieces(void **state)
@@ -335,6 +361,7 @@ int main(void)
         cmocka_unit_test(test_curves_are_averages_over_slices),
         cmocka_unit_test(test_curves_cover_transparent_frames),
         cmocka_unit_test(test_dashes),
+        cmocka_unit_test(test_dots_at_corners),
         cmocka_unit_test(test_dashes_stay),
         cmocka_unit_test(test_pieces),
         cmocka_unit_test(test_inks),
