@@ -223,6 +223,8 @@ static double title_gap(const struct drawn *d, const struct words *title, const 
  * smaller type, and letters that reach below their lines come nearer. */
 static void titles_are_in_place(const struct drawn *d)
 {
+    /* Empirical, pt, read off the pages of these tests: titles below their axes, and beside them. The layout gives lines of type
+     * their room; how much of it is ink depends on letters, font and size. */
     static const double gaps[2][2] = {{3.5, 4.3}, {3, 8.5}};
     for (size_t i = 0; i < d->texts; i++) {
         const struct words *a = &d->text[i];
@@ -271,7 +273,7 @@ static void frames_are_aligned(size_t page)
  * Pages that beads do not fill are left out. */
 static void margins_are_kept(const struct drawn *d, size_t page, double width, double height)
 {
-    const double least = 2.5, most = 7.5;
+    const double least = 2.5, most = 7.5; /* empirical, pt, read off the pages of these tests: to ink, as above */
     double left = INFINITY, below = INFINITY, right = 0;
     bool axes = false;
     for (size_t i = 0; i < d->texts; i++) {
