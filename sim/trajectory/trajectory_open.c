@@ -208,8 +208,10 @@ static enum bead_error read_outcomes(struct bead_trajectory *t)
         bead_h5_read_numbers(&t->h5, BEAD_PROFILE_GROUP "/outcome/steps", BEAD_H5_INT, &all->steps, size, n);
         bead_h5_read_numbers(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations", BEAD_H5_INT, &all->evaluations, size, n);
     }
-    for (size_t c = 0; c < n; c++)
+    for (size_t c = 0; c < n; c++) {
         all[c].method = t->methods[c].text;
+        all[c].absorbed = NAN; /* not stored */
+    }
     return t->h5.error;
 }
 

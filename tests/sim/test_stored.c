@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A table of a stored run is, byte for byte, the one made beside it, also of a part of its beads and times; and a table of some
+ * columns, rows or times has those of the whole one. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <cmocka.h>
+
+#include "sessions.h"
+#include "tests/scratch.h"
+
+enum { OUTPUTS_MOST = 24, BYTES_MOST = 1 << 18, COLUMNS_MOST = 64, ROWS_MOST = 400 };
+
+#define PRESSED                                                                                                                 \
+    "chains:\n  - {name: A, striker: {velocity: 1 m/s}, precompression: 1 N, wall: brass, beads: [{cell: [large-steel, "        \
+    "aluminium], count: 5}, {bead: ptfe, sensor: s}, {bead: small-steel, count: 4}]}\n  - {name: B, striker: {velocity: 2 "     \
+    "m/s}, precompression: 2 N, wall: rigid, beads: [{bead: brass, count: 9}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 99 " \
+    "us}\n"
+#define DAMPED                                                                                                                  \
+    "chain: {wall: rigid, damping: {coefficient: 2, exponent: 1.5}, beads: [{bead: brass, count: 6}, {bead: ptfe, sensor: s}, " \
+    "{bead: large-steel, count: 4}]}\nsimulate: {until: 120 us}\n"
+#define STRING "chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 20}\n"
+#define WAVE                                                                                                                  \
+    "chain: {equation: shock, points: 60, epsilon: 0.5, length: 6.283, start: {simple-wave: 1, amplitude: 0.5}}\nsimulate: {" \
+    "until: 3}\n"
+#define SOLITONS                                                                                                              \
+    "chain: {equation: kdv, low: -12, length: 34, points: 160, start: {solitons: [{speed: 9, at: -8}, {speed: 4, at: 0}]}}\n" \
+    "simulate: {until: 0.08}\n"
+
+static const struct {
+    const char *scene, *trajectory, *outputs[OUTPUTS_MOST]; /* without their files */
+} runs[] = {
+    {PRESSED,
+     "every: 1.5 us, fields: all",
+     {"show: sensors", "show: sensors, field: velocity, beads: [2, 5]", "show: sensors, contacts: [0, 3, 9], beads: [4]",
+      "show: sensors, every: 3 us", "show: sensors, time: [30 us, 60 us]", "show: extremes", "show: extremes, field: velocity",
+      "show: extremes, field: compression, time: [15 us, 60 us]", "show: spreading, every: 1.5 us", "show: spectrum, every: 3 us",
+      "show: spectrum, beads: [3], field: velocity, window: none, every: 1.5 us, segment: 30 us", "show: dispersion, every: 3 us",
+      "show: spectrogram, beads: [3], every: 1.5 us, segment: 45 us", "show: measures, every: 1.5 us",
+      "show: profiles, at: [19.5 us, 33.2 us, 99 us]", "show: profiles, at: [45 us], field: displacement", "show: bands",
+      "show: eigenmodes", "show: chain"}},
+    {PRESSED,
+     "every: 1 us, fields: [displacement, velocity]",
+     {"show: sensors", "show: extremes, field: contact-force", "show: sensors, field: compression, contacts: [2, 5]",
+      "show: profiles, at: [20 us], field: contact-force", "show: spectrum, every: 2 us"}},
+    {PRESSED,
+     "every: 1.5 us, fields: all, beads: [2, 10], time: [15 us, 90 us]",
+     {"show: sensors, beads: [2, 6, 10], every: 1.5 us, time: [15 us, 90 us]",
+      "show: sensors, contacts: [2, 9], every: 1.5 us, time: [30 us, 75 us]",
+      "show: sensors, every: 3 us, field: velocity, beads: [5], time: [15 us, 90 us]"}},
+    {DAMPED,
+     "every: 1.5 us, fields: all",
+     {"show: sensors", "show: sensors, field: compression, contacts: [2, 5]", "show: extremes, field: energy",
+      "show: measures, every: 1.5 us", "show: spreading, every: 1.5 us", "show: profiles, at: [60 us], field: contact-force"}},
+    {STRING,
+     "every: 0.25, fields: all",
+     {"show: modes", "show: modes, modes: 3, time: [5, 15]", "show: sensors, beads: [3]", "show: extremes, field: strain",
+      "show: profiles, at: [3.25, 7.5], field: velocity"}},
+    {WAVE,
+     "every: 0.05, fields: all",
+     {"show: sensors, beads: [20, 40]", "show: sensors, beads: [20], field: velocity, every: 0.1", "show: extremes, field: energy",
+      "show: profiles, at: [0.5, 1.234]"}},
+    {SOLITONS,
+     "every: 0.001, fields: all",
+     {"show: sensors, beads: [20, 40], field: displacement", "show: extremes, field: displacement",
+      "show: profiles, at: [0.0123, 0.05], field: displacement"}},
+};
+
+static size_t read_file(const char *folder, const char *name, char *bytes)
+{
+    char path[600];
+    snprintf(path, sizeof path, "%s/%s/%s", directory, folder, name);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    const size_t count = fread(bytes, 1, BYTES_MOST, file);
+    fclose(file);
+    if (count < 20 || count >= BYTES_MOST)
+        fail_msg("%zu bytes in %s", count, path);
+    bytes[count] = '\0';
+    return count;
+}
+
+/* Measures of the last sample have its time as their note, those of the end of a run have none. */
+static void drop_notes(char *bytes)
+{
+    for (char *at = bytes; (at = strstr(at, ",at ")); at++)
+        memmove(at + 1, at + strcspn(at, "\n"), strlen(at + strcspn(at, "\n")) + 1);
+}
+
+/* All outputs of a run, which are tables 0.csv, 1.csv, ... and a trajectory, if there is one, into a folder. */
+static void play(const char *scene, const char *trajectory, const char *const *outputs, const char *folder)
+{
+    char text[6000], path[600], out[600];
+    int used = snprintf(text, sizeof text, "%soutputs:\n", scene);
+    if (trajectory)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - {trajectory: run.h5, %s}\n", trajectory);
+    for (size_t i = 0; i < OUTPUTS_MOST && outputs[i]; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - {table: %zu.csv, %s%s}\n", i, outputs[i],
+                         strstr(outputs[i], "bands") || strstr(outputs[i], "eigenm") || strstr(outputs[i], "show: chain")
+                             ? ""
+                             : ", uncertainty: false");
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    snprintf(out, sizeof out, "%s/%s", directory, folder);
+    mkdir(out, 0777);
+    write_text(path, text);
+    play_counts((struct bead_job){.input = path, .output = out, .threads = 1});
+}
+
+static void stored_runs_say_the_same(void **)
+{
+    static char beside[BYTES_MOST], later[BYTES_MOST];
+    char run[600], out[600], name[20];
+    snprintf(run, sizeof run, "%s/all/run.h5", directory);
+    snprintf(out, sizeof out, "%s/one", directory);
+    mkdir(out, 0777);
+    for (size_t r = 0; r < sizeof runs / sizeof *runs; r++) {
+        play(runs[r].scene, runs[r].trajectory, runs[r].outputs, "all");
+        for (size_t i = 0; i < OUTPUTS_MOST && runs[r].outputs[i]; i++) {
+            snprintf(name, sizeof name, "%zu.csv", i);
+            snprintf(out, sizeof out, "%s/one/%s", directory, name);
+            play_counts((struct bead_job){.input = run, .output = out, .threads = 2});
+            read_file("all", name, beside);
+            read_file("one", name, later);
+            drop_notes(beside);
+            drop_notes(later);
+            if (strcmp(beside, later) != 0)
+                fail_msg("run %zu: '%s' of the stored run is not that beside it", r, runs[r].outputs[i]);
+        }
+    }
+}
+
+/* A table of numbers: a row of names, and lines of cells. */
+struct lines {
+    char *cell[ROWS_MOST][COLUMNS_MOST];
+    size_t rows, columns;
+};
+
+static void split(char *bytes, struct lines *to)
+{
+    memset(to, 0, sizeof *to);
+    for (char *line; (line = strsep(&bytes, "\n")) && *line; to->rows++) {
+        assert_true(to->rows < ROWS_MOST);
+        to->columns = 0;
+        for (char *cell; (cell = strsep(&line, ",")); to->cell[to->rows][to->columns++] = cell)
+            assert_true(to->columns < COLUMNS_MOST);
+    }
+}
+
+static size_t column_of(const struct lines *table, const char *name)
+{
+    for (size_t c = 0; c < table->columns; c++) {
+        if (strcmp(table->cell[0][c], name) == 0)
+            return c;
+    }
+    return SIZE_MAX;
+}
+
+static bool same_cell(const char *a, const char *b)
+{
+    char *end[2];
+    const double x = strtod(a, &end[0]), y = strtod(b, &end[1]);
+    return *end[0] || *end[1] ? strcmp(a, b) == 0 : (isnan(x) && isnan(y)) || fabs(x - y) <= 1e-9 * fabs(x) + 1e-18;
+}
+
+/* Do the cells of a row, by the names of their columns, stand in that row of the whole? */
+static bool is_part(const struct lines *whole, size_t row, const struct lines *part, size_t line)
+{
+    for (size_t c = 0; c < part->columns; c++) {
+        const size_t column = column_of(whole, part->cell[0][c]);
+        if (column == SIZE_MAX || !same_cell(whole->cell[row][column], part->cell[line][c]))
+            return false;
+    }
+    return true;
+}
+
+/* The whole has the rows of its parts, and as many more as it should. */
+static void parts_are_in_the_whole(void **)
+{
+    static const struct {
+        const char *scene, *whole, *part;
+        size_t rows;
+    } cuts[] = {
+        {PRESSED, "show: sensors, every: 2 us, beads: [2, 5, 6, 10]", "show: sensors, every: 2 us, beads: [10, 5]", 50},
+        {PRESSED, "show: sensors, every: 2 us, beads: [2, 5]", "show: sensors, every: 2 us, beads: [2, 5], time: [10 us, 31 us]",
+         11},
+        {PRESSED, "show: sensors, every: 2 us, contacts: [0..9], beads: 4", "show: sensors, every: 4 us, contacts: [9, 3]", 25},
+        {PRESSED, "show: extremes, every: 2 us", "show: extremes, every: 2 us, time: [50 us, 99 us]", 50},
+        {PRESSED, "show: extremes, every: 2 us, field: velocity", "show: extremes, every: 6 us, field: velocity", 34},
+        {PRESSED, "show: energy, every: 3 us, beads: [4, 9]", "show: energy, every: 3 us, time: [0 us, 60 us]", 21},
+        {PRESSED, "show: energy, every: 3 us, parts: place", "show: energy, every: 9 us, parts: place", 12},
+        {PRESSED, "show: peaks", "show: peaks, contacts: [2, 4..6, 9]", 10},
+        {PRESSED, "show: bead-peaks", "show: bead-peaks, beads: [1, 8]", 4},
+        {PRESSED, "show: profiles, at: [20 us, 30 us, 50.5 us]", "show: profiles, at: [30 us]", 27},
+        {PRESSED, "show: spectrum, every: 2 us", "show: spectrum, every: 2 us, frequencies: [20 kHz, 90 kHz]", 8},
+        {DAMPED, "show: sensors, every: 2 us, beads: [2, 5, 6]", "show: sensors, every: 4 us, beads: [5], time: [8 us, 40 us]", 9},
+        {STRING, "show: sensors, every: 0.5, beads: [2, 5, 6]", "show: sensors, every: 1, beads: [5], time: [8, 12]", 5},
+        {STRING, "show: modes, every: 0.5, modes: 4", "show: modes, every: 0.5, modes: 2, time: [5, 9]", 9},
+    };
+    static char bytes[2][BYTES_MOST];
+    static struct lines whole, part;
+    for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
+        play(cuts[i].scene, NULL, (const char *const[]){cuts[i].whole, NULL}, "all");
+        play(cuts[i].scene, NULL, (const char *const[]){cuts[i].part, NULL}, "one");
+        read_file("all", "0.csv", bytes[0]);
+        read_file("one", "0.csv", bytes[1]);
+        split(bytes[0], &whole);
+        split(bytes[1], &part);
+        size_t row = 1;
+        for (size_t line = 1; line < part.rows; line++, row++) {
+            for (; row < whole.rows && !is_part(&whole, row, &part, line);)
+                row++;
+            if (row >= whole.rows)
+                fail_msg("line %zu of '%s' is not in '%s'", line, cuts[i].part, cuts[i].whole);
+        }
+        if (part.rows - 1 != cuts[i].rows)
+            fail_msg("'%s': %zu rows, not %zu", cuts[i].part, part.rows - 1, cuts[i].rows);
+    }
+}
+
+static int remove_folders(void **state)
+{
+    char path[600];
+    for (int k = 0; k < 2; k++) {
+        snprintf(path, sizeof path, "%s/%s", directory, k ? "one" : "all");
+        remove_files(path);
+    }
+    return remove_directory(state);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(stored_runs_say_the_same), cmocka_unit_test(parts_are_in_the_whole)};
+    return cmocka_run_group_tests_name("stored", tests, make_directory, remove_folders);
+}
