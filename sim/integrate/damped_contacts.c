@@ -84,6 +84,12 @@ static bool closes(const struct bead_stepper *s, size_t k)
     return !s->closed[k] && bead_stepper_compression(s, &s->start, k) < 0;
 }
 
+/* What a force of 1 N in a contact accelerates its beads by, together. */
+static double lightness(const struct bead_stepper *s, size_t k)
+{
+    return s->chain->inverse_mass[k] + (k + 1 < s->beads ? s->chain->inverse_mass[k + 1] : 0);
+}
+
 static double change_of(const struct bead_stepper *s, size_t k)
 {
     const bool closing_now = closes(s, k);
@@ -91,7 +97,7 @@ static double change_of(const struct bead_stepper *s, size_t k)
                  f1 = closing_now ? bead_stepper_compression(s, &s->end, k) : push_in(s, &s->end, k);
     if ((f0 > 0) == (f1 > 0) || (f0 > 0) != (s->closed[k] != 0))
         return 1;
-    if (fmax(fabs(closed_force_in(s, &s->start, k)), fabs(closed_force_in(s, &s->end, k))) * s->h * s->chain->inverse_mass[k] <
+    if (fmax(fabs(closed_force_in(s, &s->start, k)), fabs(closed_force_in(s, &s->end, k))) * s->h * lightness(s, k) <
         s->event_tolerance)
         return 1;
     const struct contact_curve curve = {s, k, bead_dense_compression(s, k)};
@@ -100,8 +106,7 @@ static double change_of(const struct bead_stepper *s, size_t k)
 
 double bead_damped_contacts_miss(const struct bead_stepper *s, size_t k)
 {
-    const double d = bead_stepper_compression(s, &s->end, k), change = rate(&s->end, k),
-                 w = s->chain->inverse_mass[k] + (k + 1 < s->beads ? s->chain->inverse_mass[k + 1] : 0);
+    const double d = bead_stepper_compression(s, &s->end, k), change = rate(&s->end, k);
     double off, jump; /* in steps, and its effect on a velocity per step, m/s */
     if (closes(s, k)) {
         off = d / (change * s->h);
@@ -112,7 +117,7 @@ double bead_damped_contacts_miss(const struct bead_stepper *s, size_t k)
         off = push(s, k, d, change) / slope;
         jump = s->table.damping > 0 ? 0.5 * off * off * slope : 0;
     }
-    return fabs(jump) * s->h * w > s->event_tolerance && fabs(off) < 1 ? -off : 0; /* further away is another event */
+    return fabs(jump) * s->h * lightness(s, k) > s->event_tolerance && fabs(off) < 1 ? -off : 0; /* further away is another event */
 }
 
 struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *s)
