@@ -236,9 +236,70 @@ static void pictures_of_sweeps_are_looked_at_first(void **)
     }
 }
 
+/* An output takes the samples of a trajectory in the same scene where these hold all that it shows, and no fewer than it needs. */
+static void samples_are_shared_where_they_suffice(void **)
+{
+#define PRESSED                                                                                                               \
+    "chain: {precompression: 1 N, wall: brass, beads: [{cell: [large-steel, aluminium], count: 5}, {bead: ptfe, sensor: s}, " \
+    "{bead: small-steel, count: 4}]}\nsimulate: {until: 150 us}\n"
+#define STRING "chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 20}\n"
+    static const struct {
+        const char *scene, *trajectory, *output;
+        bool shared;
+    } pairs[] = {{PRESSED, "every: 4 us", "image: a.png", true},
+                 {PRESSED, "every: 8 us", "image: a.png", false},
+                 {PRESSED, "every: 1 us, time: [0, 100 us]", "image: a.png, time: [0, 100 us]", true},
+                 {PRESSED, "every: 1 us, time: [0, 100 us]", "image: a.png, time: [0, 101 us]", false},
+                 {PRESSED, "every: 1 us, time: [0, 100 us]", "image: a.png", false},
+                 {PRESSED, "every: 1 us, time: [10 us, 100 us]", "image: a.png, time: [10 us, 100 us]", true},
+                 {PRESSED, "every: 1 us, time: [10 us, 100 us]", "image: a.png, time: [9 us, 100 us]", false},
+                 {PRESSED, "every: 1 us, beads: [2, 9]", "image: a.png, beads: [2, 9]", true},
+                 {PRESSED, "every: 1 us, beads: [2, 9]", "image: a.png, beads: [1, 9]", false},
+                 {PRESSED, "every: 1 us, beads: [2, 9]", "image: a.png, beads: [2, 10]", false},
+                 {PRESSED, "every: 1 us, fields: [velocity]", "image: a.png, field: velocity", true},
+                 {PRESSED, "every: 1 us, fields: [velocity]", "image: a.png", false},
+                 /* forces follow from the displacements of all beads */
+                 {PRESSED, "every: 1 us, fields: [displacement]", "image: a.png", true},
+                 {PRESSED, "every: 1 us, fields: [displacement]", "image: a.png, field: energy", false},
+                 {PRESSED, "every: 1 us, fields: [displacement], beads: [0, 9]", "image: a.png, beads: [0, 9]", false},
+                 {PRESSED, "every: 1 us, fields: [displacement], beads: [1, last]", "image: a.png, beads: [1, last]", false},
+                 {PRESSED, "every: 1 us, fields: [force]", "table: a.csv, show: sensors, contacts: [3]", false},
+                 {PRESSED, "every: 1 us, fields: [contact-force, force]", "table: a.csv, show: sensors, contacts: [3]", true},
+                 {PRESSED, "every: 1 us, fields: [force]", "table: a.csv, show: sensors", true},
+                 {PRESSED, "every: 1 us, fields: [force]", "table: a.csv, show: sensors, every: 2 us", false},
+                 {PRESSED, "every: 1 us, fields: [energy]", "plot: a.svg, show: spreading", false},
+                 {STRING, "every: 0.1, fields: [displacement]", "table: a.csv, show: modes", false},
+                 {STRING, "every: 0.1, fields: [displacement, velocity]", "table: a.csv, show: modes", true},
+                 {STRING, "every: 0.1, fields: [displacement]", "movie: a.mp4, views: [modes]", false},
+                 {STRING, "every: 0.1, fields: [displacement, velocity]", "movie: a.mp4, views: [modes]", true},
+                 {STRING, "every: 0.1, fields: [displacement]", "movie: a.mp4, views: [spacetime]", true}};
+    static const struct bead_sink_type *const *sinks[3];
+    sinks[0] = bead_data_sinks();
+    sinks[1] = bead_render_sinks();
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        char path[512], text[1000], *plan = NULL;
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        size_t size;
+        snprintf(text, sizeof text, "%soutputs: [{%s}, {trajectory: 0.h5, %s}]\n", pairs[i].scene, pairs[i].output,
+                 pairs[i].trajectory);
+        write_scene(text, path);
+        struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .threads = 1, .sinks = sinks};
+        FILE *file = open_memstream(&plan, &size);
+        if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg))
+            fail_msg("%s: %s", text, msg.text);
+        fclose(file);
+        if (!strstr(plan, "(shared with the trajectory)") == pairs[i].shared)
+            fail_msg("%s: %s", text, plan);
+        bead_session_close(session);
+        free(plan);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold),
+                                       cmocka_unit_test(samples_are_shared_where_they_suffice),
                                        cmocka_unit_test(pictures_of_sweeps_are_looked_at_first)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
 }
