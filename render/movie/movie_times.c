@@ -148,9 +148,10 @@ double bead_movie_time(const struct bead_movie_times *t, double index)
 
 double bead_movie_film_time(const struct bead_movie_times *t, double motion, double fps)
 {
-    double within = fmax(0, motion - t->time[0]);
-    double film = t->film.count ? bead_film_time(&t->film, t->time[0] + within) : within / t->step / fps;
-    return (double)t->card / fps + film;
+    double within = fmax(0, motion - t->time[0]), last = (double)(t->frames - t->card - 1);
+    double frame =
+        t->film.count ? last * bead_film_time(&t->film, t->time[0] + within) / bead_film_length(&t->film) : within / t->step;
+    return ((double)t->card + frame) / fps;
 }
 
 bool bead_movie_draws(const struct bead_movie_times *t, size_t index)
