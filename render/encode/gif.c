@@ -16,6 +16,7 @@ struct gif {
     AVFormatContext *format;
     AVCodecContext *codec;
     AVPacket *packet;
+    bool begun; /* the file has its header */
 };
 
 /* Takes a picture, RGB24, that is shown from frame `at`. */
@@ -110,7 +111,10 @@ static int start(struct gif *gif, const AVFrame *picture)
     int code = avcodec_open2(c, type, NULL);
     if (code >= 0)
         code = avcodec_parameters_from_context(stream->codecpar, c);
-    return code < 0 ? code : avformat_write_header(gif->format, NULL);
+    if (code >= 0)
+        code = avformat_write_header(gif->format, NULL);
+    gif->begun = code >= 0;
+    return code;
 }
 
 static int write_packets(struct gif *gif)
@@ -180,7 +184,7 @@ static int write_all(struct gif *gif, int from, int to)
     code = gif->format->pb ? read_all(gif, from, encode_picture) : AVERROR(ENOMEM);
     if (code >= 0)
         code = finish(gif);
-    else if (gif->codec) /* the muxer holds a packet, and frees it only with the trailer */
+    else if (gif->begun) /* the muxer holds a packet, and frees it only with the trailer */
         av_write_trailer(gif->format);
     bead_av_file_unwrap(&gif->format->pb);
     avformat_free_context(gif->format);
