@@ -142,7 +142,7 @@ void bead_h5_flush(struct bead_h5 *h5, bool write)
 hid_t bead_h5_text_type(size_t size, H5T_cset_t characters)
 {
     hid_t type = H5Tcopy(H5T_C_S1);
-    if (type >= 0 && (H5Tset_size(type, size) < 0 || H5Tset_cset(type, characters) < 0))
+    if (H5Tset_size(type, size) < 0 || H5Tset_cset(type, characters) < 0)
         bead_h5_release(&type);
     return type;
 }
@@ -164,11 +164,7 @@ hid_t bead_h5_make_group(struct bead_h5 *h5, hid_t parent, const char *name)
         return -1;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
-    if (links < 0 || H5Pset_create_intermediate_group(links, 1) < 0) {
-        bead_h5_fail(h5, true, "cannot make %s", name);
-        return -1;
-    }
-    hid_t group = H5Gcreate2(parent, name, links, H5P_DEFAULT, H5P_DEFAULT);
+    hid_t group = H5Pset_create_intermediate_group(links, 1) < 0 ? -1 : H5Gcreate2(parent, name, links, H5P_DEFAULT, H5P_DEFAULT);
     if (group < 0)
         bead_h5_fail(h5, true, "cannot make %s", name);
     return group;
@@ -184,8 +180,8 @@ static void put(struct bead_h5 *h5, hid_t object, const char *name, hid_t type, 
 {
     BEAD_H5_QUIET;
     BEAD_H5_AUTO space = vector_space(count);
-    BEAD_H5_AUTO attribute = space < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    if (attribute < 0 || H5Awrite(attribute, memory, values) < 0)
+    BEAD_H5_AUTO attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    if (H5Awrite(attribute, memory, values) < 0)
         bead_h5_fail(h5, true, "cannot write the attribute %s", name);
 }
 
@@ -251,7 +247,7 @@ void bead_h5_set_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t
         return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO attribute = H5Aopen(object, name, H5P_DEFAULT);
-    if (attribute < 0 || H5Awrite(attribute, H5T_NATIVE_INT64, &value) < 0)
+    if (H5Awrite(attribute, H5T_NATIVE_INT64, &value) < 0)
         bead_h5_fail(h5, true, "cannot write the attribute %s", name);
 }
 
@@ -300,7 +296,7 @@ hid_t bead_h5_space_apart(size_t size, size_t count)
 {
     const hsize_t start = 0, apart = size / sizeof(double), numbers = count ? count : 1, all = (numbers - 1) * apart + 1;
     hid_t space = H5Screate_simple(1, &all, NULL);
-    if (space >= 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, &apart, &numbers, NULL) < 0)
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, &apart, &numbers, NULL) < 0)
         bead_h5_release(&space);
     return space;
 }
@@ -322,10 +318,9 @@ static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const
     BEAD_H5_AUTO layout = H5Pcreate(H5P_DATASET_CREATE);
     BEAD_H5_AUTO dataset = -1;
     /* No time stamps: the same scene gives the same bytes. */
-    if (space >= 0 && links >= 0 && layout >= 0 && H5Pset_obj_track_times(layout, 0) >= 0 &&
-        H5Pset_create_intermediate_group(links, 1) >= 0)
+    if (H5Pset_obj_track_times(layout, 0) >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0)
         dataset = H5Dcreate2(parent, name, once->type, space, links, layout, H5P_DEFAULT);
-    if (dataset < 0 || H5Dwrite(dataset, once->memory, once->apart, H5S_ALL, H5P_DEFAULT, values) < 0) {
+    if (H5Dwrite(dataset, once->memory, once->apart, H5S_ALL, H5P_DEFAULT, values) < 0) {
         bead_h5_fail(h5, true, "cannot write %s", name);
         return;
     }

@@ -24,7 +24,7 @@ bool bead_h5_has(struct bead_h5 *h5, const char *name)
     char path[256];
     BEAD_H5_AUTO access = bead_h5_access(H5P_LINK_ACCESS);
     size_t length = strlen(name);
-    if (access < 0 || length >= sizeof path)
+    if (length >= sizeof path)
         return false;
     /* H5Lexists requires all groups on the way. */
     for (size_t i = 1; i <= length; i++) {
@@ -55,9 +55,7 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
         return -1;
     }
     BEAD_H5_AUTO access = bead_h5_access(kind == H5I_GROUP ? H5P_GROUP_ACCESS : H5P_DATASET_ACCESS);
-    hid_t object = -1;
-    if (access >= 0)
-        object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
+    hid_t object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
     if (object < 0)
         bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind, name,
                      kind == H5I_GROUP ? "group" : "dataset");
@@ -77,8 +75,8 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
 /* Little-endian numbers of 8 bytes, bytes, or texts of a fixed length: no other type is written, so none is converted. */
 static bool type_is_own(hid_t type)
 {
-    return type >= 0 && (H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_STD_I64LE) > 0 ||
-                         H5Tequal(type, H5T_STD_U8LE) > 0 || (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0));
+    return H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_STD_I64LE) > 0 || H5Tequal(type, H5T_STD_U8LE) > 0 ||
+           (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0);
 }
 
 /* Why data do not have this program's layout within their file; NULL: they do. A file that is not trusted could refer to others,
@@ -88,7 +86,7 @@ static const char *strange(const struct bead_h5 *h5, hid_t dataset)
     BEAD_H5_AUTO list = H5Dget_create_plist(dataset);
     BEAD_H5_AUTO type = H5Dget_type(dataset);
     BEAD_H5_AUTO space = H5Dget_space(dataset);
-    const H5D_layout_t layout = list < 0 ? H5D_LAYOUT_ERROR : H5Pget_layout(list);
+    const H5D_layout_t layout = H5Pget_layout(list);
     hsize_t side[H5S_MAX_RANK];
     if (layout == H5D_VIRTUAL || (layout >= 0 && H5Pget_external_count(list) != 0))
         return "is stored in another file";
@@ -96,7 +94,7 @@ static const char *strange(const struct bead_h5 *h5, hid_t dataset)
         return "is compressed, filtered or stored in a way that this program never uses";
     if (!type_is_own(type))
         return "is of a type that this program does not write";
-    const hssize_t values = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
+    const hssize_t values = H5Sget_simple_extent_npoints(space);
     const uint64_t size = H5Tget_size(type);
     uint64_t bytes;
     if (values < 0 || size == 0 || __builtin_mul_overflow((uint64_t)values, size, &bytes))
@@ -129,13 +127,13 @@ static hid_t open_dataset(struct bead_h5 *h5, const char *name)
 
 static bool type_is(hid_t type, H5T_class_t class)
 {
-    return type >= 0 && H5Tget_class(type) == class && (class != H5T_STRING || H5Tis_variable_str(type) == 0);
+    return H5Tget_class(type) == class && (class != H5T_STRING || H5Tis_variable_str(type) == 0);
 }
 
 /* Number of values of a scalar or one-dimensional space, -1 for others. */
 static hssize_t vector_length(hid_t space)
 {
-    int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
+    int rank = H5Sget_simple_extent_ndims(space);
     return rank == 0 || rank == 1 ? H5Sget_simple_extent_npoints(space) : -1;
 }
 
@@ -152,8 +150,8 @@ static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t 
         return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
-    BEAD_H5_AUTO type = attribute < 0 ? -1 : H5Aget_type(attribute);
-    BEAD_H5_AUTO space = attribute < 0 ? -1 : H5Aget_space(attribute);
+    BEAD_H5_AUTO type = H5Aget_type(attribute);
+    BEAD_H5_AUTO space = H5Aget_space(attribute);
     bool fits = type_is(type, class) && type_is_own(type) && H5Tget_size(type) <= 65536 && vector_length(space) == 1;
     BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
     if (!fits || H5Aread(attribute, memory < 0 ? text : memory, value) < 0)
@@ -283,7 +281,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
         h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", h5->path, name);
         return NULL;
     }
-    if (memory < 0 || H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
+    if (H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
         bead_h5_fail(h5, true, "%s cannot be read", name);
         free(text);
         return NULL;
@@ -294,9 +292,9 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
 /* Without HDF5's cache, uncompressed chunks are read straight into the caller's memory. */
 static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
 {
-    BEAD_H5_AUTO layout = dataset < 0 ? -1 : H5Dget_create_plist(dataset);
-    BEAD_H5_AUTO access = layout < 0 ? -1 : bead_h5_access(H5P_DATASET_ACCESS);
-    if (access < 0 || H5Pget_layout(layout) != H5D_CHUNKED || H5Pget_nfilters(layout) != 0 ||
+    BEAD_H5_AUTO layout = H5Dget_create_plist(dataset);
+    BEAD_H5_AUTO access = bead_h5_access(H5P_DATASET_ACCESS);
+    if (H5Pget_layout(layout) != H5D_CHUNKED || H5Pget_nfilters(layout) != 0 ||
         H5Pset_chunk_cache(access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT) < 0)
         return dataset;
     bead_h5_release(&dataset);
@@ -324,7 +322,7 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
     BEAD_H5_AUTO space = H5Dget_space(series);
     hsize_t size[3] = {0, 0, 0};
     int rank = columns == 0 ? 1 : components > 1 ? 3 : 2;
-    bool fits = type_is(type, H5T_FLOAT) && space >= 0 && H5Sget_simple_extent_ndims(space) == rank &&
+    bool fits = type_is(type, H5T_FLOAT) && H5Sget_simple_extent_ndims(space) == rank &&
                 H5Sget_simple_extent_dims(space, size, NULL) == rank;
     fits = fits && (rank < 2 || size[1] == columns) && (rank < 3 || size[2] == components) && size[0] <= SIZE_MAX;
     if (!fits) {
@@ -364,7 +362,7 @@ void bead_h5_read_rows(struct bead_h5 *h5, hid_t series, size_t first, size_t ro
     hsize_t start[3] = {first, 0, 0}, count[3] = {rows, columns, 1};
     BEAD_H5_AUTO file_space = H5Dget_space(series);
     BEAD_H5_AUTO memory_space = H5Screate_simple(columns ? 2 : 1, count, NULL);
-    if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
+    if (H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
         H5Dread(series, H5T_NATIVE_DOUBLE, memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "samples from %zu on cannot be read", first);
 }
@@ -387,7 +385,7 @@ void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type 
     BEAD_H5_AUTO kind = H5Dget_type(dataset);
     BEAD_H5_AUTO space = H5Dget_space(dataset);
     const H5T_class_t class = type == BEAD_H5_DOUBLE ? H5T_FLOAT : H5T_INTEGER;
-    bool fits = type_is(kind, class) && space >= 0 && H5Sget_simple_extent_ndims(space) == 2 &&
+    bool fits = type_is(kind, class) && H5Sget_simple_extent_ndims(space) == 2 &&
                 H5Sget_simple_extent_dims(space, size, NULL) == 2 && size[0] == rows && size[1] == columns;
     if (!fits)
         bead_h5_fail(h5, false, "%s must have %zu x %zu values of the right kind", name, rows, columns);

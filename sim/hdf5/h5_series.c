@@ -39,7 +39,7 @@ hid_t bead_h5_make_series(struct bead_h5 *h5, hid_t parent, const char *name, co
     BEAD_H5_AUTO layout = series_layout(integer, chunk_rows, columns, rank);
     BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
     hid_t series = -1;
-    if (space >= 0 && layout >= 0 && links >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0)
+    if (H5Pset_create_intermediate_group(links, 1) >= 0)
         series = H5Dcreate2(parent, name, integer ? H5T_STD_I64LE : H5T_IEEE_F64LE, space, links, layout, H5P_DEFAULT);
     if (series < 0)
         bead_h5_fail(h5, true, "cannot make %s", name);
@@ -53,7 +53,7 @@ static herr_t grow(hid_t series, size_t rows)
 {
     hsize_t size[3];
     BEAD_H5_AUTO space = H5Dget_space(series);
-    if (space < 0 || H5Sget_simple_extent_ndims(space) > 3 || H5Sget_simple_extent_dims(space, size, NULL) < 1)
+    if (H5Sget_simple_extent_dims(space, size, NULL) < 1)
         return -1;
     if (size[0] >= rows)
         return 0;
@@ -71,7 +71,7 @@ void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, enum bead_h5_type type
     herr_t ok = grow(series, first + rows);
     BEAD_H5_AUTO file_space = ok < 0 ? -1 : H5Dget_space(series);
     BEAD_H5_AUTO memory_space = H5Screate_simple(columns ? 2 : 1, count, NULL);
-    if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
+    if (H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
         H5Dwrite(series, bead_h5_memory_type(type), memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "cannot write samples");
     bead_h5_check_disk(h5);
