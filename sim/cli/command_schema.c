@@ -174,11 +174,9 @@ static void put_value(struct bead_json *json, const struct bead_option *row)
 static void put_description(struct bead_json *json, const struct bead_option *row)
 {
     char text[1200], allowed[400];
-    int used = snprintf(text, sizeof text, "%s (%s", row->help, bead_option_allowed(row, allowed, sizeof allowed));
-    if (row->initial && *row->initial && used > 0 && (size_t)used < sizeof text)
-        used += snprintf(text + used, sizeof text - (size_t)used, "; default %s", row->initial);
-    if (used > 0 && (size_t)used < sizeof text)
-        snprintf(text + used, sizeof text - (size_t)used, ")");
+    const char *initial = row->initial ? row->initial : "";
+    snprintf(text, sizeof text, "%s (%s%s%s)", row->help, bead_option_allowed(row, allowed, sizeof allowed),
+             *initial ? "; default " : "", initial);
     bead_json_text(json, "description", text);
 }
 

@@ -83,11 +83,8 @@ static const char *field_of(const char *line, size_t index, size_t *length)
 static bool is_named(const char *field, size_t length, const char *name)
 {
     static const char around[] = " \"";
-    for (; length > 0 && strchr(around, *field); field++)
-        length--;
-    while (length > 0 && strchr(around, field[length - 1]))
-        length--;
-    return length == strlen(name) && strncmp(field, name, length) == 0;
+    const char *first = field + strspn(field, around), *behind = first + strlen(name);
+    return strncmp(first, name, strlen(name)) == 0 && behind + strspn(behind, around) == field + length;
 }
 
 /* SIZE_MAX: the line has no such column; NULL: column `index`. */
