@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Interpolation between steps, the coefficients of the methods, and spins. */
-#include "support.h"
+#include "chains.h"
+
+#include "sim/integrate/dense.h"
 
 #include "sim/chain/spins.h"
 #include "sim/integrate/dense.h"
@@ -118,6 +120,86 @@ static void samples_between_steps_are_accurate(void **state)
     assert_near(log2(error[0] / error[1]), 8, 0.7);
 }
 
+/* The largest differences of displacements or compressions, of velocities, and of these to the slopes of displacements. */
+struct differences {
+    double place, velocity, slope;
+};
+
+/* One bead, or one contact, alone beside the state at x within the step. */
+static void compare_one(const struct bead_dense *dense, const struct bead_stepper *s, bool of_contact, size_t index, double x,
+                        double place, double velocity, struct differences *worst)
+{
+    const struct bead_polynomial p = of_contact ? bead_dense_compression(s, index) : bead_dense_bead(s, index);
+    double own[2] = {bead_polynomial_value(&p, x), bead_polynomial_slope(&p, x)};
+    if (dense->between && of_contact)
+        bead_between_correct_compression(dense->between, s, index, x, own);
+    else if (dense->between)
+        bead_between_correct_bead(dense->between, s, index, x, own);
+    worst->place = fmax(worst->place, fabs(own[0] - place));
+    worst->velocity = fmax(worst->velocity, fabs(own[1] / s->h - velocity));
+}
+
+static void compare_at(struct bead_dense *dense, const struct bead_stepper *s, double x, struct differences *worst)
+{
+    enum { MOST = 160 };
+    static const double nearby = 1e-4;
+    const double h = s->h, *still = bead_chain_static_compression(s->chain);
+    double u[MOST], v[MOST], before[MOST], after[MOST];
+    assert_true(s->beads <= MOST);
+    bead_dense_state(dense, s, s->t0 + (x - nearby) * h, before, v);
+    bead_dense_state(dense, s, s->t0 + (x + nearby) * h, after, v);
+    bead_dense_state(dense, s, s->t0 + x * h, u, v);
+    for (size_t j = 0; j < s->active; j++) {
+        compare_one(dense, s, false, j, x, u[j], v[j], worst);
+        worst->slope = fmax(worst->slope, fabs((after[j] - before[j]) / (2 * nearby * h) - v[j]));
+    }
+    for (size_t k = 0; k + 1 < s->active; k++)
+        compare_one(dense, s, true, k, x, still[k] + u[k] - u[k + 1], v[k] - v[k + 1], worst);
+}
+
+/* All beads, one bead, and one contact are interpolated alike, also where contacts open and close, to rounding; and velocities are
+ * the slopes of displacements, to that of their differences. */
+static void parts_are_interpolated_as_the_whole(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        size_t events; /* at least */
+    } chains[] = {
+        {P3_CHAIN, 100},
+        {"chain: {beads: [{cell: [large-steel, aluminium, ptfe], count: 6}], precompression: 2 N, wall: rigid}\n", 30},
+        {"chain: {striker: {velocity: 0}, beads: [{bead: large-steel, count: 6, spring: 1e5, gap: 1 um}], drive: {force: sine, "
+         "amplitude: 100 N, frequency: 5 kHz}}\n",
+         30},
+        {"chain: {beads: [{cell: [large-steel, ptfe], count: 6, gap: 1 um}], law: {power: 2, coefficient: 1e9}}\n", 0},
+        {"chain: {beads: [{bead: large-steel, count: 9}], wall: rigid, damping: {coefficient: 3, exponent: 1.5}}\n", 0}};
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct built built = build(chains[c].text, "until: 1 ms");
+        struct bead_message msg = {""};
+        struct bead_stepper *s;
+        struct bead_dense dense;
+        struct differences worst = {0};
+        size_t events = 0, count = 0;
+        const struct bead_method *method = bead_method_row(c == 4 ? "rk8" : "rkn8");
+        assert_int_equal(bead_stepper_create(built.chain, method, bead_kernels_find(NULL), false, &s, &msg), BEAD_OK);
+        assert_int_equal(bead_dense_create(s, &dense, &msg), BEAD_OK);
+        s->event_tolerance = 1e-10;
+        for (int step = 0; step < 250; step++, events += count) {
+            steps(s, 2e-6, 1);
+            for (size_t i = 0; i < 4; i++)
+                compare_at(&dense, s, (const double[]){0.03, 0.4, 0.71, 0.98}[i], &worst);
+            bead_between_points(dense.between, &count);
+        }
+        assert_true(events >= chains[c].events);
+        assert_below(worst.place, 1e-18);
+        assert_below(worst.velocity, 1e-11);
+        assert_below(worst.slope, c == 4 ? 1e-7 : 3e-9);
+        bead_dense_destroy(&dense);
+        bead_stepper_destroy(s);
+        release(&built);
+    }
+}
+
 static void magnetism_is_exact(void **state)
 {
     (void)state;
@@ -167,6 +249,7 @@ int main(void)
         cmocka_unit_test(methods_have_their_order),
         cmocka_unit_test(damping_is_integrated_as_motion),
         cmocka_unit_test(samples_between_steps_are_accurate),
+        cmocka_unit_test(parts_are_interpolated_as_the_whole),
         cmocka_unit_test(magnetism_is_exact),
         cmocka_unit_test(spins_are_uniform),
     };
