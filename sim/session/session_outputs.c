@@ -241,7 +241,7 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
 {
     const bool alone = s->single && !s->amid;
     BEAD_TRY(check_names(s, msg));
-    BEAD_TRY(bead_new(&s->made, s->source->output_count + 1, msg, "a session"));
+    BEAD_TRY(bead_new(&s->made, s->source->output_count, msg, "a session"));
     s->made_count = alone ? 1 : s->source->output_count;
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < s->made_count && !err; i++) {

@@ -177,6 +177,27 @@ static void runs_are_as_planned(void **)
     }
 }
 
+/* The plan of a job with all sinks; to be freed. */
+static char *plan_of(struct bead_job job)
+{
+    static const struct bead_sink_type *const *sinks[3];
+    struct bead_message msg = {""};
+    struct bead_session *session = NULL;
+    char *plan = NULL;
+    size_t size;
+    sinks[0] = bead_data_sinks();
+    sinks[1] = bead_render_sinks();
+    job.size = sizeof job;
+    job.threads = 1;
+    job.sinks = sinks;
+    FILE *file = open_memstream(&plan, &size);
+    if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg))
+        fail_msg("%s", msg.text);
+    fclose(file);
+    bead_session_close(session);
+    return plan;
+}
+
 /* A picture of a stored run shows forces, which follow from displacements where nothing is damped, or else what there is. */
 static void stored_runs_show_what_they_hold(void **)
 {
@@ -187,17 +208,10 @@ static void stored_runs_show_what_they_hold(void **)
                   {"", "velocity", "velocity"},
                   {"damping: {coefficient: 1}, ", "displacement", "displacement"},
                   {"damping: {coefficient: 1}, ", "force, displacement", "force"}};
-    static const struct bead_sink_type *const *sinks[3];
     char scene[512], run[600], picture[600], text[1000], expected[100];
-    sinks[0] = bead_data_sinks();
-    sinks[1] = bead_render_sinks();
     snprintf(run, sizeof run, "%s/0.h5", directory);
     snprintf(picture, sizeof picture, "%s/0.png", directory);
     for (size_t i = 0; i < sizeof stored / sizeof *stored; i++) {
-        struct bead_message msg = {""};
-        struct bead_session *session = NULL;
-        char *plan = NULL;
-        size_t size;
         snprintf(
             text, sizeof text,
             "chain: {%sbeads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 50 us}\noutputs: [{trajectory: 0.h5, every: 5 "
@@ -205,15 +219,41 @@ static void stored_runs_show_what_they_hold(void **)
             stored[i].damping, stored[i].fields);
         write_scene(text, scene);
         play_counts((struct bead_job){.input = scene, .output = directory, .threads = 1});
-        struct bead_job job = {.size = sizeof job, .input = run, .output = picture, .threads = 1, .sinks = sinks};
-        FILE *file = open_memstream(&plan, &size);
-        if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg))
-            fail_msg("%s", msg.text);
-        fclose(file);
+        char *plan = plan_of((struct bead_job){.input = run, .output = picture});
         snprintf(expected, sizeof expected, "  samples: %s of beads 0 to 5, 11 times every 5 us until 0.05 ms", stored[i].shown);
         if (!has_line(plan, expected) || !has_line(plan, "time: samples of a run of 0.05 ms are read; nothing is simulated\n"))
             fail_msg("'%s' is not in '%s'", expected, plan);
-        bead_session_close(session);
+        free(plan);
+    }
+}
+
+/* A file that is asked for by its name alone is made like an output of the scene that can be one of its kind, else as by default: a
+ * film from a film, pixels from any still, a page for print from another one. */
+static void files_are_made_like_those_of_the_scene(void **)
+{
+    static const struct {
+        const char *output, *file;
+        bool like;
+    } pairs[] = {{"image: a.png", "b.png", true},  {"image: a.png", "b.webp", true}, {"image: a.png", "a.pdf", false},
+                 {"image: a.png", "b.svg", false}, {"image: a.pdf", "b.svg", true},  {"image: a.pdf", "b.jpg", true},
+                 {"image: a.png", "b.mp4", false}, {"movie: a.mp4", "b.mp4", true},  {"movie: a.mp4", "b.webm", true},
+                 {"movie: a.mp4", "b.gif", true},  {"movie: a.gif", "b.mp4", true},  {"movie: a.mp4", "b.pdf", false},
+                 {"plot: a.svg", "b.pdf", true},   {"plot: a.png", "b.pdf", false},  {"table: a.csv, show: sensors", "b.csv", true},
+                 {"plot: a.svg", "b.csv", false},  {"movie: a.mp4", "b.csv", false}};
+    char scene[512], run[600], file[600], text[1000];
+    const char *const only = "run.h5";
+    snprintf(run, sizeof run, "%s/run.h5", directory);
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        snprintf(text, sizeof text,
+                 "chain: {beads: [{bead: large-steel, count: 5}, {bead: brass, sensor: s}]}\nsimulate: {until: 50 us}\n"
+                 "outputs: [{trajectory: run.h5, every: 1 us, fields: all}, {%s, field: velocity}]\n",
+                 pairs[i].output);
+        write_scene(text, scene);
+        play_counts((struct bead_job){.input = scene, .output = directory, .threads = 1, .only = &only, .only_count = 1});
+        snprintf(file, sizeof file, "%s/%s", directory, pairs[i].file);
+        char *plan = plan_of((struct bead_job){.input = run, .output = file});
+        if (!strstr(plan, "velocity") == pairs[i].like)
+            fail_msg("%s of %s: %s", pairs[i].file, pairs[i].output, plan);
         free(plan);
     }
 }
@@ -273,25 +313,14 @@ static void samples_are_shared_where_they_suffice(void **)
                  {STRING, "every: 0.1, fields: [displacement]", "movie: a.mp4, views: [modes]", false},
                  {STRING, "every: 0.1, fields: [displacement, velocity]", "movie: a.mp4, views: [modes]", true},
                  {STRING, "every: 0.1, fields: [displacement]", "movie: a.mp4, views: [spacetime]", true}};
-    static const struct bead_sink_type *const *sinks[3];
-    sinks[0] = bead_data_sinks();
-    sinks[1] = bead_render_sinks();
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
-        char path[512], text[1000], *plan = NULL;
-        struct bead_message msg = {""};
-        struct bead_session *session = NULL;
-        size_t size;
+        char path[512], text[1000];
         snprintf(text, sizeof text, "%soutputs: [{%s}, {trajectory: 0.h5, %s}]\n", pairs[i].scene, pairs[i].output,
                  pairs[i].trajectory);
         write_scene(text, path);
-        struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .threads = 1, .sinks = sinks};
-        FILE *file = open_memstream(&plan, &size);
-        if (bead_session_open(&job, &session, &msg) || bead_session_plan(session, file, &msg))
-            fail_msg("%s: %s", text, msg.text);
-        fclose(file);
+        char *plan = plan_of((struct bead_job){.input = path, .output = directory});
         if (!strstr(plan, "(shared with the trajectory)") == pairs[i].shared)
             fail_msg("%s: %s", text, plan);
-        bead_session_close(session);
         free(plan);
     }
 }
@@ -300,6 +329,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold),
                                        cmocka_unit_test(samples_are_shared_where_they_suffice),
+                                       cmocka_unit_test(files_are_made_like_those_of_the_scene),
                                        cmocka_unit_test(pictures_of_sweeps_are_looked_at_first)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
 }
