@@ -310,6 +310,7 @@ with_test_progress = $(BUILD)/sim/cli/command_progress.o -Wl,--wrap=clock_gettim
 $(BUILD)/tests/test_progress: $(BUILD)/sim/cli/command_progress.o
 # Functions of libraries fail where they say so.
 with_test_failing_codecs = -Wl,--wrap=bead_library_load
+with_test_gl_failures = -Wl,--wrap=bead_gl_load
 # It looks at the layouts of all figures.
 with_test_ready_figures = -Wl,--wrap=graph_layout_make
 # By room: make would look a name up where an old build knew it. Compiled by itself, for ccache.
