@@ -117,8 +117,8 @@ static enum bead_error sensors_feed(struct bead_view *v, const struct bead_sampl
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "sensors need the field %s", bead_field_info(field)->name);
     if (v->setup.trust && !comparison)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
-    enum bead_error err = add_forces(v, &v->curves, sample->time, force, NULL, msg);
-    return !err && v->setup.trust ? add_forces(v, &v->differences, sample->time, force, comparison, msg) : err;
+    BEAD_TRY(add_forces(v, &v->curves, sample->time, force, NULL, msg));
+    return v->setup.trust ? add_forces(v, &v->differences, sample->time, force, comparison, msg) : BEAD_OK;
 }
 
 /* The first time at which a force differs from the comparison run's by more than a hundredth of the axis's range. */

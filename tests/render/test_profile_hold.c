@@ -97,6 +97,54 @@ static void test_beads_keep_their_own(void **state)
     bead_scene_free(scene);
 }
 
+static double any(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 40) / 0x1p24;
+}
+
+/* Of samples at any times, close or not: what passes is the largest value of a cell in the time that is remembered, give or take
+ * two of the 32 samples kept; what has been, that of all times. */
+static void test_any_samples_are_remembered(void **state)
+{
+    (void)state;
+    enum { SHOWN = 12, FED = 600 };
+    static const char *const cells[] = {"[large-steel]", "[large-steel, aluminium]", "[large-steel, aluminium, aluminium]"};
+    static double values[FED][SHOWN], time[FED];
+    uint64_t random = 7;
+    for (size_t cell = 1; cell <= 3; cell++) {
+        struct bead_scene *scene;
+        struct bead_chain *chain = chain_of(cells[cell - 1], &scene);
+        struct bead_hold *hold;
+        const double lasting =
+            2 * bead_chain_passage(chain, bead_chain_energy(chain)) / (double)bead_chain_contacts(chain) * (double)cell;
+        assert_int_equal(bead_hold_create(chain, (struct bead_span){3, 3 + SHOWN - 1}, &hold, NULL), BEAD_OK);
+        for (size_t k = 0; k < FED; k++) {
+            time[k] = (k ? time[k - 1] : 0) + lasting * pow(any(&random), 2) * (k / 100 % 2 ? 0.01 : 0.3);
+            for (size_t i = 0; i < SHOWN; i++)
+                values[k][i] = pow(any(&random), 20);
+            bead_hold_feed(hold, time[k], values[k]);
+            for (size_t i = 0; i < SHOWN; i++) {
+                double most[3] = {0}; /* of too short a time, of too long a one, of all */
+                for (size_t j = 0; j <= k; j++) {
+                    const size_t from = i > (cell - 1) / 2 ? i - (cell - 1) / 2 : 0;
+                    for (size_t b = from; b < from + cell && b < SHOWN; b++) {
+                        for (int w = 0; w < 3; w++) {
+                            const double window = w == 2 ? INFINITY : lasting * (w ? 1 + 2.0 / 31 : 1 - 2.0 / 31);
+                            most[w] = time[k] - time[j] <= window ? fmax(most[w], values[j][b]) : most[w];
+                        }
+                    }
+                }
+                const double passing = bead_hold_passing(hold, i);
+                assert_true(passing >= most[0] && passing <= most[1] && bead_hold_largest(hold, i) == most[2]);
+            }
+        }
+        bead_hold_destroy(hold);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 /* What films take of the samples between two frames: of forces the largest, with their signs, of what swings the last; of nothing
  * new, nothing. Only the beads in sight. */
 static void test_frames_hold_the_largest(void **state)
@@ -151,6 +199,7 @@ static void test_frames_hold_the_largest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_dimers_are_even), cmocka_unit_test(test_beads_keep_their_own),
+                                       cmocka_unit_test(test_any_samples_are_remembered),
                                        cmocka_unit_test(test_frames_hold_the_largest)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -448,6 +448,50 @@ static void contacts_have_their_triangles(void **)
     }
 }
 
+/* Bodies, outlines and dimensions: all that is not about one of the beads, from left to right. */
+static bool has_mirror_image(const struct stroke *s, double width)
+{
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *o = &strokes.list[j];
+        if (o->filled == s->filled && o->dashes == s->dashes && o->width == s->width && o->surface == s->surface &&
+            memcmp(o->rgb, s->rgb, sizeof s->rgb) == 0 && fabs(o->low[0] - width + s->high[0]) < 0.02 &&
+            fabs(o->high[0] - width + s->low[0]) < 0.02 && fabs(o->low[1] - s->low[1]) < 0.02 &&
+            fabs(o->high[1] - s->high[1]) < 0.02)
+            return true;
+    }
+    return false;
+}
+
+/* The contact of two equal beads is its own mirror image, but for the triangle, which only one of them has, and the square of its
+ * right angle. */
+static void equal_beads_touch_evenly(void **)
+{
+    for (int deep = 0; deep < 2; deep++) {
+        char text[1000];
+        struct seen seen = {.count = 0};
+        snprintf(text, sizeof text,
+                 COLOURED "chain: {beads: [{bead: red, count: 3}]}\n"
+                          "outputs: [{plot: a.png, show: contact, compression: %g, size: [1600, 1000]}]\n",
+                 deep ? 0.45 : 0.1);
+        struct staged *s = set_stage(text);
+        const struct bead_look look = look_of(s);
+        size_t mirrored = 0;
+        strokes_begin();
+        assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+        for (size_t j = 0; j < strokes.count; j++) {
+            const struct stroke *line = &strokes.list[j];
+            if (stroke_has(line, line->filled, look.accent))
+                continue;
+            if (!has_mirror_image(line, 1600))
+                fail_msg("%zu: from %g to %g, %g to %g there is no other", j, line->low[0], line->high[0], line->low[1],
+                         line->high[1]);
+            mirrored++;
+        }
+        assert_true(mirrored >= 2 + 2 + 4 + 3 + 2);
+        clear_stage(s);
+    }
+}
+
 /* The words below a contact have the numbers of Hertz's law: A = 4/3 E* sqrt(R*), with 1/E* and 1/R* the sums of both sides. */
 static void formulas_have_the_contacts_numbers(void **)
 {
@@ -865,6 +909,7 @@ int main(void)
         cmocka_unit_test(crowds_are_noticed),
         cmocka_unit_test(pieces_fill_their_lines),
         cmocka_unit_test(contacts_have_their_triangles),
+        cmocka_unit_test(equal_beads_touch_evenly),
         cmocka_unit_test(formulas_have_the_contacts_numbers),
         cmocka_unit_test(cells_are_in_the_middle),
         cmocka_unit_test(long_cells_have_gaps),
