@@ -142,12 +142,7 @@ static enum bead_error load_map(const struct bead_output *output, const char *na
 
 enum bead_error bead_colour_range_check(const struct bead_output *output, struct bead_message *msg)
 {
-    const double *range = output->colours.range;
     struct bead_colormap map;
-    if (range[0] >= range[1])
-        return bead_output_wrong(output, msg, "range: is [%g, %g]; the first must be less than the second", range[0], range[1]);
-    if (output->colours.scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
-        return bead_output_wrong(output, msg, "range: is [%g, %g]; a logarithmic scale needs numbers above 0", range[0], range[1]);
     return has_own_map(output) ? load_map(output, output->colours.colormap, &map, msg) : BEAD_OK;
 }
 

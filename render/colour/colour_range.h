@@ -41,7 +41,8 @@ struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked 
  * not known yet: such ends show that values may be greater, or less if they have both signs. */
 void bead_colour_range_ends(const struct bead_output *output, const struct bead_chain *chain, const struct bead_colour_range *found,
                             bool *over, bool *under);
-/* Checks the requested range and colour map. Errors: SCENE (with the output's place), those of bead_colormap_load. */
+/* Checks the requested colour map; ranges are checked where scenes are read. Errors: SCENE (with the output's place), those of
+ * bead_colormap_load. */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, struct bead_message *msg);
 
 /* The colours of such a range: linear about a static force, else on the requested scale. */

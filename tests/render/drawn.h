@@ -84,6 +84,31 @@ void pango_cairo_show_layout_line(cairo_t *cr, PangoLayoutLine *line)
     next(cr, line);
 }
 
+/* Tags of pages, for readers that do not see them, end in the order in which they began, before their page does. */
+enum { TAGS_MOST = 8 };
+static char drawn_tags[TAGS_MOST][32];
+static size_t drawn_open;
+
+void cairo_tag_begin(cairo_t *cr, const char *name, const char *attributes)
+{
+    static void (*next)(cairo_t *, const char *, const char *);
+    if (!next)
+        *(void **)&next = dlsym(RTLD_NEXT, "cairo_tag_begin");
+    assert_true(drawn_open < TAGS_MOST);
+    snprintf(drawn_tags[drawn_open++], sizeof *drawn_tags, "%s", name);
+    next(cr, name, attributes);
+}
+
+void cairo_tag_end(cairo_t *cr, const char *name)
+{
+    static void (*next)(cairo_t *, const char *);
+    if (!next)
+        *(void **)&next = dlsym(RTLD_NEXT, "cairo_tag_end");
+    assert_true(drawn_open > 0 && strcmp(drawn_tags[drawn_open - 1], name) == 0);
+    drawn_open--;
+    next(cr, name);
+}
+
 /* A page ends. */
 void cairo_surface_finish(cairo_surface_t *surface)
 {
@@ -92,6 +117,7 @@ void cairo_surface_finish(cairo_surface_t *surface)
         *(void **)&next = dlsym(RTLD_NEXT, "cairo_surface_finish");
     if (drawn_now && cairo_surface_get_type(surface) == CAIRO_SURFACE_TYPE_PDF) {
         static size_t taken;
+        assert_int_equal(drawn_open, 0);
         taken = drawn_now->pages ? taken : 0;
         while (taken < strokes.count)
             drawn_page[taken++] = drawn_now->pages;

@@ -247,8 +247,9 @@ static void sensors_have_rings(void **)
     assert_int_equal(rings, 3);
 }
 
-/* The values at the lower and the upper end of the first frame of a page, from the numbers along its left side. */
-static void ends_of_axis(const struct drawn *d, size_t page, double ends[2])
+/* The values at the lower and the upper end of the first frame of a page, from the first and the last number along its left side.
+ */
+static void ends_of_axis(const struct drawn *d, size_t page, int scale, double ends[2])
 {
     const struct stroke *frame = NULL;
     double at[2] = {NAN, NAN}, value[2] = {NAN, NAN};
@@ -262,30 +263,49 @@ static void ends_of_axis(const struct drawn *d, size_t page, double ends[2])
             continue;
         const int k = !isnan(at[0]);
         at[k] = middle;
-        value[k] = number_of(a->text);
+        value[k] = scaled(number_of(a->text), scale);
     }
+    assert_false(isnan(value[1]));
     for (int k = 0; k < 2; k++)
         ends[k] = value[0] + (value[1] - value[0]) * ((k ? frame->low : frame->high)[1] - at[0]) / (at[1] - at[0]);
 }
 
-/* Axes have the range that is asked for; otherwise they begin at 0 and reach beyond what is shown. */
+#define SHORT    "chain: {" STRIKER "beads: [{bead: large-steel, count: 6}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 0.1 ms}\n"
+#define PRESSED  "chain: {precompression: 100 N, beads: [{cell: [large-steel, aluminium], count: 6}], wall: brass}\n"
+#define TWO_WAYS "sweep: {cells: 4, magnetism: [0, 0.5], configurations: 2}\n"
+#define DECAY    "sweep: {cells: 4, magnetism: [0, 0.5], configurations: 2, measure: {decay: true}}\n"
+#define TWO_KEYS                                                                                                             \
+    "chain: {" STRIKER "beads: [{bead: small-steel, count: 3}, {bead: small-steel, sensor: s}]}\nsimulate: {until: 60 us}\n" \
+    "sweep: {over: {chain.striker.velocity: [0.1 m/s, 1 m/s]}}\n"
+
+/* Axes have the range that is asked for; otherwise the first ones here begin at 0 and reach beyond what is shown. */
 static void ranges_are_those_asked_for(void **)
 {
     static const struct {
         const char *scene, *plot, *unit;
         double low, high;
+        int scale;
+        bool any; /* where it ends otherwise */
     } plots[] = {
-        {"sweep: {cells: 2, magnetism: [0, 1], configurations: 2}\n", "plot: %zu.pdf", "", 0.3, 0.8},
-        {"chain: {" STRIKER "beads: [{bead: large-steel, count: 6}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 0.1 ms}\n",
-         "plot: %zu.pdf, show: sensors, beads: [2]", " N", 20, 80},
-        {"chain: {" STRIKER "beads: [{bead: large-steel, count: 6}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 0.1 ms}\n",
-         "plot: %zu.pdf, show: peaks", " N", 20, 80},
+        {"sweep: {cells: 2, magnetism: [0, 1], configurations: 2}\n", "plot: %zu.pdf", "", 0.3, 0.8, 0, false},
+        {SHORT, "plot: %zu.pdf, show: sensors, beads: [2]", " N", 20, 80, 0, false},
+        {SHORT, "plot: %zu.pdf, show: peaks", " N", 20, 80, 0, false},
+        {SHORT, "plot: %zu.pdf, show: peaks, scale: log", " N", 0.3, 600, 1, true},
+        {SHORT, "plot: %zu.pdf, show: energy", "e-3", 3, 9, 0, true},
+        {SHORT, "plot: %zu.pdf, show: profiles, at: [50 us]", " N", 20, 80, 0, true},
+        {SHORT, "plot: %zu.pdf, show: spreading", "", 0.4, 6, 1, true},
+        {SHORT, "plot: %zu.pdf, show: spectrum, beads: [1]", " N", 1, 8, 0, true},
+        {PRESSED, "plot: %zu.pdf, show: bands", "e3", 5, 30, 0, true},
+        {PRESSED, "plot: %zu.pdf, show: eigenmodes", "", 2, 8, 0, true},
+        {DECAY, "plot: %zu.pdf, show: decay", "", 0.2, 1.5, 1, true},
+        {TWO_WAYS, "plot: %zu.pdf, show: mean", "", 0.2, 1.5, 0, true},
+        {TWO_KEYS, "plot: %zu.pdf", "", 20, 80, 0, true},
     };
     for (size_t i = 0; i < sizeof plots / sizeof *plots; i++) {
         enum { ASKED = 4 };
         char text[2000];
         int used = snprintf(text, sizeof text, "%soutputs:\n", plots[i].scene);
-        for (size_t k = 0; k < ASKED; k++) {
+        for (size_t k = plots[i].any; k < ASKED; k++) {
             char low[20] = "auto", high[20] = "auto";
             if (k & 1)
                 snprintf(low, sizeof low, "%g%s", plots[i].low, plots[i].unit);
@@ -296,12 +316,19 @@ static void ranges_are_those_asked_for(void **)
             used += snprintf(text + used, sizeof text - (size_t)used, ", range: [%s, %s]}\n", low, high);
         }
         drawn_run(text, &drawn[0]);
-        for (size_t k = 0; k < ASKED; k++) {
+        for (size_t k = plots[i].any; k < ASKED; k++) {
+            const double wanted[2] = {scaled(plots[i].low, plots[i].scale), scaled(plots[i].high, plots[i].scale)};
             double ends[2];
-            ends_of_axis(&drawn[0], k, ends);
+            ends_of_axis(&drawn[0], k - plots[i].any, plots[i].scale, ends);
             const double near = 0.005 * (ends[1] - ends[0]);
-            assert_true(fabs(ends[0] - (k & 1 ? plots[i].low : 0)) < near);
-            assert_true(k & 2 ? fabs(ends[1] - plots[i].high) < near : ends[1] > 1.2 * plots[i].high);
+            for (int end = 0; end < 2; end++) {
+                const bool asked = k & (1u << end);
+                if (!(asked          ? fabs(ends[end] - wanted[end]) < near
+                      : plots[i].any ? true
+                      : end          ? ends[1] > 1.2 * wanted[1]
+                                     : fabs(ends[0]) < near))
+                    fail_msg("%s, range %zu: from %g to %g", plots[i].plot, k, ends[0], ends[1]);
+            }
         }
     }
 }

@@ -55,6 +55,7 @@ static const struct {
     {sensor, "plot: a.png, show: spectrum, frequencies: [2 kHz, 1 kHz]",
      "frequencies: is [2000, 1000] Hz; the first must be before the second"},
     {sensor, "plot: a.png, show: sensors, scale: log, range: [0, 1 N]", "must be above 0 with `scale: log`"},
+    {one, "image: a.png, scale: log, range: [-1, 2 N]", "range: begins at -1 N; must be above 0 with `scale: log`"},
     {one, "plot: a.png, show: peaks, scale: log, range: [auto, 0]", "must be above 0 with `scale: log`"},
     {sensor, "plot: a.png, show: profiles, theory: true, at: [0.05 ms], field: velocity",
      "theory: there is one for `field: contact-force` of equal Hertzian beads, without precompression, tilt, gaps or springs"},

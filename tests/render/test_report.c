@@ -214,6 +214,51 @@ static void pages_have_room_for_all_chains(void **)
     free(page);
 }
 
+/* The grid of samples of a page, in microseconds. */
+static void assert_times(const char *input, const char *const *settings, double start, double every, double count)
+{
+    char output[512];
+    size_t length, setting_count = 0;
+    in_directory("a.html", output, sizeof output);
+    while (settings[setting_count])
+        setting_count++;
+    play_counts((struct bead_job){.input = input, .output = output, .settings = settings, .setting_count = setting_count});
+    char *page = read_all(output, &length);
+    const char *data = data_of(page), *at = after(data, "\"start\": "), *step = after(data, "\"every\": "),
+               *number = after(data, "\"count\": ");
+    const double found[] = {1e6 * next_number(&at), 1e6 * next_number(&step), next_number(&number)};
+    if (!(fabs(found[0] - start) < 1e-6 && fabs(found[1] - every) < 1e-6 && found[2] == count))
+        fail_msg("%s, %s: %g samples, every %g from %g on", settings[0], settings[1], found[2], found[1], found[0]);
+    free(page);
+}
+
+/* Pages show the time asked for, in as many samples as there is room for, or as asked; of stored runs every sample, every second
+ * one, and so on, from the first one within that time to the last. */
+static void pages_show_the_time_asked_for(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *settings[3];
+        double computed[3], stored[3]; /* start, every, count */
+    } cases[] = {{{"outputs.0.time=auto", NULL}, {0, 0.05, 1201}, {0, 2, 31}},
+                 {{"outputs.0.time=[12 us, auto]", NULL}, {12, 0.04, 1201}, {12, 2, 25}},
+                 {{"outputs.0.time=[13 us, 37 us]", NULL}, {13, 0.02, 1201}, {14, 2, 12}},
+                 {{"outputs.0.time=[13 us, 36 us]", "outputs.0.every=2.3 us", NULL}, {13, 2.3, 11}, {14, 4, 6}},
+                 {{"outputs.0.every=6 us", NULL}, {0, 6, 11}, {0, 6, 11}}};
+    char scene[512], output[512], run[512];
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    in_directory("run.h5", run, sizeof run);
+    write_text(scene, "chain: {striker: {velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 6}]}\nsimulate: {until: 60 us}\n"
+                      "outputs: [{report: a.html}, {trajectory: run.h5, every: 2 us}]\n");
+    play_counts((struct bead_job){.input = scene, .output = output});
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double *c = cases[i].computed, *s = cases[i].stored;
+        assert_times(scene, cases[i].settings, c[0], c[1], c[2]);
+        assert_times(run, cases[i].settings, s[0], s[1], s[2]);
+    }
+}
+
 /* What the page says of a sweep of two cells: with the clean chain, three configurations. */
 static void assert_facts(const char *data)
 {
@@ -278,6 +323,7 @@ int main(void)
         cmocka_unit_test(samples_read_back),
         cmocka_unit_test(pages_hold_their_run),
         cmocka_unit_test(pages_have_room_for_all_chains),
+        cmocka_unit_test(pages_show_the_time_asked_for),
         cmocka_unit_test(colours_of_sweeps_reach_their_ends),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

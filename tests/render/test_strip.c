@@ -132,7 +132,8 @@ static void a_pulse_of_one_bead_stays_visible(void **state)
     }
 }
 
-/* At rest each pixel has the mean colour of steel and aluminium, darkened alike in red, green and blue. */
+/* At rest each pixel has the mean colour of steel and aluminium, darkened alike in red, green and blue; those at the ends, which
+ * have fewer beads, nearly so, with some of the black behind them. */
 static void a_row_at_rest_has_the_colours_of_its_beads(void **state)
 {
     (void)state;
@@ -142,11 +143,12 @@ static void a_row_at_rest_has_the_colours_of_its_beads(void **state)
         double mean[3];
         for (int c = 0; c < 3; c++)
             mean[c] = 127.5 * (bead_chain_colour(s->chain, BEADS - 1)[c] + bead_chain_colour(s->chain, BEADS - 2)[c]);
-        for (int x = 10; x < width - 10; x++) {
+        for (int x = 0; x < width; x++) {
             const uint8_t *p = pixel(s, &s->frame, x);
-            const double share = p[1] / mean[1]; /* of green */
-            assert_true(share > 0.4 && share < 0.9);
-            if (!(fabs(p[2] - share * mean[0]) < 1.6 && fabs(p[0] - share * mean[2]) < 1.6))
+            const bool end = x < 10 || x >= width - 10;
+            const double share = p[1] / mean[1], near = end ? 12 : 1.6; /* of green */
+            assert_true(share > (end ? 0.2 : 0.4) && share < 0.9);
+            if (!(fabs(p[2] - share * mean[0]) < near && fabs(p[0] - share * mean[2]) < near))
                 fail_msg("pixel %d of %d is %d, %d, %d, beads %.1f, %.1f, %.1f", x, width, p[2], p[1], p[0], mean[0], mean[1],
                          mean[2]);
         }
