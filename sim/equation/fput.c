@@ -397,6 +397,8 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
     char name[48];
     snprintf(name, sizeof name, "period of linear mode %zu", spec->mode);
     n = bead_measure_add(to, n, room, name, period);
+    if (!(r->start > 0))
+        return n; /* at rest */
     n = bead_measure_add(to, n, room, "smallest energy of the mode, relative", r->low / r->start);
     n = bead_measure_add(to, n, room, "time of the smallest energy", r->low_time);
     if (r->high > 0) {
