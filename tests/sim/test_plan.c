@@ -258,6 +258,31 @@ static void files_are_made_like_those_of_the_scene(void **)
     }
 }
 
+/* A frame is one of the scene's film, or of that of a setting which replaces all outputs. */
+static void frames_are_of_films(void **)
+{
+    static const struct {
+        const char *setting, *frame, *says[2];
+    } frames[] = {{NULL, "20us", {"/a-20us.png: one frame ", "velocity"}},
+                  {NULL, "50%", {"/a-50percent.png: one frame ", "velocity"}},
+                  {"outputs=[{table: c.csv}, {movie: b.mp4, field: energy}]", "20us", {"/b-20us.png: one frame ", "energy"}},
+                  {"outputs.1.field=energy", "peak", {"/a-peak.png: one frame ", "energy"}}};
+    for (size_t i = 0; i < sizeof frames / sizeof *frames; i++) {
+        char scene[512];
+        write_scene("chain: {beads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 50 us}\n"
+                    "outputs: [{table: c.csv}, {movie: a.mp4, field: velocity}]\n",
+                    scene);
+        char *plan = plan_of((struct bead_job){.input = scene,
+                                               .output = directory,
+                                               .frame = frames[i].frame,
+                                               .settings = &frames[i].setting,
+                                               .setting_count = frames[i].setting != NULL});
+        if (!strstr(plan, frames[i].says[0]) || !strstr(plan, frames[i].says[1]))
+            fail_msg("%s", plan);
+        free(plan);
+    }
+}
+
 /* Pictures without room are refused before a chain is run, wherever they are among the outputs of a sweep. */
 static void pictures_of_sweeps_are_looked_at_first(void **)
 {
@@ -327,8 +352,10 @@ static void samples_are_shared_where_they_suffice(void **)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned), cmocka_unit_test(stored_runs_show_what_they_hold),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned),
+                                       cmocka_unit_test(stored_runs_show_what_they_hold),
                                        cmocka_unit_test(samples_are_shared_where_they_suffice),
+                                       cmocka_unit_test(frames_are_of_films),
                                        cmocka_unit_test(files_are_made_like_those_of_the_scene),
                                        cmocka_unit_test(pictures_of_sweeps_are_looked_at_first)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);
