@@ -7,6 +7,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/number.h"
+#include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/waves.h"
 
@@ -261,6 +262,7 @@ static enum bead_error take_measured(struct bead_reader *reader, const struct be
 
 enum bead_error bead_scene_take_waves(struct bead_reader *reader, const struct bead_at *at, bool *changed)
 {
+    static const char *const waves[] = {"displacement", "force", NULL};
     const struct bead_node *node = at->node;
     const bool drive = at->key && strcmp(at->key, "drive") == 0;
     for (size_t i = 0; node->kind == BEAD_NODE_LIST && i < node->count; i++)
@@ -271,7 +273,7 @@ enum bead_error bead_scene_take_waves(struct bead_reader *reader, const struct b
             BEAD_TRY(take_measured(reader, &value, changed));
             continue;
         }
-        if (!drive || value.node->kind != BEAD_NODE_MAP) {
+        if (!drive || value.node->kind != BEAD_NODE_MAP || !bead_is_one_of(value.key, waves)) {
             BEAD_TRY(bead_scene_take_waves(reader, &value, changed));
             continue;
         }

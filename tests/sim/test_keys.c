@@ -188,8 +188,58 @@ static void keys_have_a_home(void **)
     }
 }
 
+/* Is the value refused at its place, and what would be allowed said? Of pairs, that they are two; of values of other shapes, which
+ * may be read, only the place, or that of the map around it. */
+static void refuse_value(size_t section, const struct bead_option *row, const char *value)
+{
+    struct bead_message msg = {""};
+    char setting[300], place[200], words[400], allowed[500];
+    const bool custom = row->type == BEAD_OPTION_CUSTOM;
+    snprintf(setting, sizeof setting, "%s.%s=%s", sections[section].path, row->key, value);
+    snprintf(place, sizeof place, custom ? "%s" : "%s.%s: ", sections[section].path, row->key);
+    snprintf(allowed, sizeof allowed, "must be %s",
+             row->type == BEAD_OPTION_PAIR ? "[a, b]" : bead_option_allowed(row, words, sizeof words));
+    const enum bead_error err = read_with(sections[section].scene, setting, &msg);
+    if (custom ? err && !strstr(msg.text, place) && !strstr(msg.text, "is missing")
+               : err != BEAD_ERROR_SCENE || !strstr(msg.text, place) || !strstr(msg.text, allowed))
+        fail_msg("%s: '%s'", setting, msg.text);
+}
+
+/* Choices are read, whatever else the scene then lacks; with another letter they are refused. */
+static void choose(size_t section, const struct bead_option *row)
+{
+    for (size_t c = 0; row->choices[c]; c++) {
+        struct bead_message msg = {""};
+        char setting[300], refused[300];
+        snprintf(setting, sizeof setting, "%s.%s=%s", sections[section].path, row->key, row->choices[c]);
+        snprintf(refused, sizeof refused, "%s.%s: is `%s`", sections[section].path, row->key, row->choices[c]);
+        if (read_with(sections[section].scene, setting, &msg) && strstr(msg.text, refused))
+            fail_msg("%s: '%s'", setting, msg.text);
+        snprintf(refused, sizeof refused, "q%s", row->choices[c]);
+        refuse_value(section, row, refused);
+    }
+}
+
+static void values_of_other_kinds_are_refused(void **)
+{
+    static const char *const others[] = {"[]", "{}", "[1, 2, 3]", "{a: 1}", "qxyz"};
+    const struct bead_options *options;
+    char heading[100];
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
+        const size_t s = section_of(bead_options_heading(options, heading, sizeof heading));
+        const struct bead_option *row;
+        for (size_t k = 0; s < sizeof sections / sizeof *sections && (row = bead_options_row(options, k)); k++) {
+            for (size_t o = 0; row->type != BEAD_OPTION_MAP && o < (row->type == BEAD_OPTION_TEXT ? 4 : 5); o++)
+                refuse_value(s, row, others[o]);
+            if (row->type == BEAD_OPTION_CHOICE)
+                choose(s, row);
+        }
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(numbers_have_limits), cmocka_unit_test(keys_have_a_home)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(values_of_other_kinds_are_refused), cmocka_unit_test(numbers_have_limits),
+                                       cmocka_unit_test(keys_have_a_home)};
     return cmocka_run_group_tests_name("keys", tests, NULL, NULL);
 }
