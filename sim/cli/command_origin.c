@@ -16,16 +16,16 @@ static enum bead_error find_in_h5(const char *path, struct command_origin *origi
     char said[64] = "";
     bead_h5_open(&h5, path, "result", msg);
     const bool trajectory = !h5.error && bead_h5_has(&h5, profile);
-    hid_t group = trajectory ? bead_h5_open_group(&h5, profile) : -1;
     if (trajectory) {
+        hid_t group = bead_h5_open_group(&h5, profile);
         bead_h5_get_text(&h5, group, "file", origin->file, sizeof origin->file);
         bead_h5_get_text(&h5, group, "program", said, sizeof said);
+        bead_h5_close(&h5, &group);
     }
     if (!h5.error)
         origin->scene = bead_h5_read_text(&h5, trajectory ? "/parameters/beadreel/scene" : "/scene", BEAD_YAML_BYTES + 1);
     if (strncmp(said, program, strlen(program)) == 0)
         snprintf(origin->version, sizeof origin->version, "%.31s", said + strlen(program));
-    bead_h5_close(&h5, &group);
     bead_h5_shut(&h5);
     return h5.error;
 }

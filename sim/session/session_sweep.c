@@ -118,7 +118,7 @@ static enum bead_error compute(struct bead_session *s, const char *journal, stru
     enum bead_error err = bead_sweep_run(s->sweep, &settings, &s->counts.chains, msg);
     if (s->sweep->lost > 0)
         snprintf(s->warning[SESSION_LOST], sizeof s->warning[SESSION_LOST], "%.480s; %zu of %zu chains have no results",
-                 s->sweep->why.text, s->sweep->lost, bead_sweep_count(s->sweep, &(size_t){0}));
+                 s->sweep->why.text, s->sweep->lost, s->sweep->jobs);
     return err;
 }
 

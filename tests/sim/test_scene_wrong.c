@@ -252,6 +252,9 @@ static void near_misses_are_suggested(void **state)
     refuse("chain: {beads: [{baed: ptfe}]}\n" OUTPUTS, "test:1:18: chain.beads.0.baed: unknown key; did you mean `bead`?");
     refuse(BEADS "output: [{table: a.csv}]\n", "output: unknown key; did you mean `outputs`?");
     refuse("chain: {beads: [{bead: aluminum}]}\n" OUTPUTS, "did you mean `aluminium`?");
+    refuse("chain: {beads: [{cell: [ptfe, aluminum]}]}\n" OUTPUTS,
+           "cell.1: there is no material `aluminum`; did you mean `aluminium`?");
+    refuse("chain: {beads: [{cell: [2000000 ptfe]}]}\n" OUTPUTS, "cell.0: there is no material `2000000 ptfe`");
     refuse(BEADS "outputs: [{movie: a.mp4, views: [bead]}]\n", "did you mean `beads`?");
     refuse("simulate: {methd: rk4}\n" BEADS OUTPUTS, "did you mean `method`?");
 }
