@@ -669,6 +669,66 @@ static void labels_are_below_names_where_they_fit(void **)
     assert_true(below > 5 && below < 35);
 }
 
+/* ---- what is left out ---- */
+
+static bool shows(const struct bead_movie_wants *w, const struct bead_movie_layout *l, unsigned trait)
+{
+    for (size_t i = 0; i < w->chain_count * w->view_count; i++) {
+        if (bead_view_has(w->views[i % w->view_count], trait) && l->chains[i / w->view_count].plot[i % w->view_count].width > 0)
+            return true;
+    }
+    return false;
+}
+
+/* The facts, or a scale for colours that are shown, are words that are lacking; else curves too low for numbers lack these, and
+ * `layout: images` its images. */
+static void assert_lacks(const struct bead_movie_wants *w, const struct bead_movie_layout *l, size_t seen[4])
+{
+    const bool coloured = shows(w, l, BEAD_SHOWS_IMAGE) || shows(w, l, BEAD_SHOWS_BEADS);
+    const bool words = l->facts.width == 0 || (coloured && !w->colourless && l->bar.width == 0);
+    double lowest = INFINITY;
+    for (size_t i = 0; i < w->chain_count * w->view_count; i++) {
+        const size_t v = i % w->view_count;
+        const struct bead_rect *plot = &l->chains[i / w->view_count].plot[v];
+        if (plot->width > 0 && !bead_view_has(w->views[v], BEAD_SHOWS_IMAGE | BEAD_SHOWS_BEADS))
+            lowest = fmin(lowest, plot->height);
+    }
+    const bool images = w->layout == BEAD_LAYOUT_IMAGES && shows(w, l, BEAD_SHOWS_IMAGE);
+    if ((l->lacks == BEAD_LACKS_WORDS) != words || (l->lacks < BEAD_LACKS_NUMBERS && lowest < floor(2.6 * w->look->tick)) ||
+        (l->lacks == BEAD_LACKS_IMAGES && (w->layout != BEAD_LAYOUT_IMAGES || images)) || (images && l->lacks == BEAD_LACKS_IMAGES))
+        fail_msg("%d x %d, layout %d, %zu chains, %zu views: lacks %d; facts %d px, bar %d px, lowest curve %g px", w->width,
+                 w->height, w->layout, w->chain_count, w->view_count, l->lacks, l->facts.width, l->bar.width, lowest);
+    seen[l->lacks]++;
+}
+
+static void what_is_lacking_is_told(void **)
+{
+    static const enum bead_view_kind views[][3] = {{BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME},
+                                                   {BEAD_VIEW_PROFILE, BEAD_VIEW_SENSORS, BEAD_VIEW_SPACETIME},
+                                                   {BEAD_VIEW_BEADS, BEAD_VIEW_SPACETIME, BEAD_VIEW_SPACETIME},
+                                                   {BEAD_VIEW_PROFILE, BEAD_VIEW_SENSORS, BEAD_VIEW_PROFILE}};
+    size_t seen[4] = {0};
+    for (size_t i = 0; i < 4 * 4 * 5 * 12; i++) {
+        const size_t set = i % 4, chains = 1 + i / 4 % 4, step = i / 80;
+        const int width = (int)(1280 * pow(0.78, (double)step)), height = i / 16 % 5 < 3 ? width * 9 / 16 : width * 4 / 3;
+        struct bead_look look;
+        struct bead_movie_layout l;
+        bead_look_film(&look, width, height, true, false);
+        struct bead_movie_wants w = wants_of(&look, width, height, chains);
+        w.layout = (enum bead_layout[]){BEAD_LAYOUT_AUTO, BEAD_LAYOUT_STACKED, BEAD_LAYOUT_IMAGES, BEAD_LAYOUT_COLUMNS,
+                                        BEAD_LAYOUT_BESIDE}[i / 16 % 5];
+        w.colourless = set == 3;
+        for (size_t v = 0; v < 3; v++)
+            add_view(&w, views[set][v]);
+        if (bead_movie_arrange(&w, &l, NULL))
+            continue;
+        assert_lacks(&w, &l, seen);
+        bead_movie_layout_free(&l);
+    }
+    for (size_t k = 0; k < 4; k++)
+        assert_true(seen[k] > 3);
+}
+
 /* A frame twice as large has everything twice as large, where it gives up the same: whole pixels can decide that. */
 static void frames_scale(void **)
 {
@@ -724,6 +784,7 @@ int main(void)
                                        cmocka_unit_test(parts_of_stages_are_as_far_apart_as_labels_need),
                                        cmocka_unit_test(parts_of_stages_stand_alone),
                                        cmocka_unit_test(labels_are_below_names_where_they_fit),
+                                       cmocka_unit_test(what_is_lacking_is_told),
                                        cmocka_unit_test(frames_scale)};
     return cmocka_run_group_tests_name("gaps of movies", tests, NULL, NULL);
 }

@@ -560,6 +560,7 @@ static void cards_say_what_is_shown(void **)
                               *pace = find(&f.texts, "0.25\u00a0ms");
             assert_true(title && pace && (text != NULL) == with_text);
             assert_true((find(&f.texts, "Displacements drawn 30 times larger") != NULL) == with_text);
+            assert_true((find(&f.texts, "Displacements drawn") != NULL) == with_text);
             const double middle = title->y + title->height / 2,
                          rule = middle + 0.8 * large + (with_text ? 1.76 * look->title : 0) + look->title;
             size_t rules = 0;
