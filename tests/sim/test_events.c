@@ -271,6 +271,68 @@ static void branch_points_are_found(void **state)
     assert_int_equal(branches(0.5, 0.5, -1, b), 0);
 }
 
+/* Value and slope of a quintic. */
+static double quintic(const double c[6], double x, double *slope)
+{
+    double value = *slope = 0;
+    for (int i = 5; i >= 0; i--) {
+        *slope = *slope * x + value;
+        value = value * x + c[i];
+    }
+    return value;
+}
+
+/* Where a quintic, or its slope, changes its sign within the step, by small steps; at most `most` places, and those that are closer
+ * than 1/5 to each other or to an end are too many. */
+static size_t changes(const double c[6], bool of_slope, double *at, size_t most)
+{
+    enum { STEPS = 1000 };
+    size_t count = 0;
+    double slope, before = 0, last = 0;
+    for (int i = 0; i <= STEPS; i++) {
+        const double x = (double)i / STEPS, value = quintic(c, x, &slope), now = of_slope ? slope : value;
+        if (i > 0 && (now > 0) != (before > 0)) {
+            if (count == most || x - last < 0.2 || x > 0.8)
+                return most + 1;
+            at[count++] = last = x - now / (now - before) / STEPS;
+        }
+        before = now;
+    }
+    return count;
+}
+
+/* Contacts of any smooth motion that open, close, or nearly open, do so where small steps find it. */
+static void branch_points_of_any_motion(void **state)
+{
+    (void)state;
+    size_t seen[3] = {0}; /* with so many zeros; 0: a minimum */
+    for (int n = 0; n < 5000; n++) {
+        double c[6], end[2], at[2], turn[1];
+        for (int i = 0; i < 6; i++)
+            c[i] = sin(12.9898 * (6 * n + i) + 4 * sin(78.233 * (6 * n + i)));
+        c[0] *= 0.2;
+        end[0] = quintic(c, 1, &end[1]);
+        const bool closed = c[0] > 0, turns = closed == (end[0] > 0),
+                   inwards = closed ? c[1] < 0 && end[1] > 0 : c[1] > 0 && end[1] < 0;
+        const size_t zeros = changes(c, false, at, 2), extrema = changes(c, true, turn, 1);
+        if (zeros > 2 || (turns ? extrema != 1 || !inwards || (zeros == 0 && !closed) : extrema > 0))
+            continue;
+        struct bead_patch_branch found[BEAD_BRANCHES_MAX], inside[BEAD_BRANCHES_MAX];
+        size_t count = 0;
+        for (size_t i = 0, all = bead_patch_branches(c, end, 1e-3, found); i < all; i++) {
+            if (found[i].s > 0 && found[i].s < 1)
+                inside[count++] = found[i];
+        }
+        assert_int_equal(count, zeros == 0 && turns ? 1 : zeros);
+        for (size_t i = 0; i < count; i++) {
+            assert_near(inside[i].s, zeros ? at[i] : turn[0], 1e-5);
+            assert_true(inside[i].before == (closed == (i == 0)) && inside[i].after == (zeros ? !inside[i].before : true));
+        }
+        seen[zeros]++;
+    }
+    assert_true(seen[0] > 50 && seen[1] > 50 && seen[2] > 50);
+}
+
 /* Contacts at rest, touching or open, cost nothing and stay exactly at rest. */
 static void rest_is_untouched(void **state)
 {
@@ -308,11 +370,17 @@ static void picard_changes_are_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_order_is_restored), cmocka_unit_test(peaks_and_energy),
-        cmocka_unit_test(peaks_of_beads),        cmocka_unit_test(tiles_change_no_bit),
-        cmocka_unit_test(kinks_are_put_right),   cmocka_unit_test(the_right_contacts_are_flagged),
-        cmocka_unit_test(bits_are_the_same),     cmocka_unit_test(branch_points_are_found),
-        cmocka_unit_test(rest_is_untouched),     cmocka_unit_test(picard_changes_are_reported),
+        cmocka_unit_test(the_order_is_restored),
+        cmocka_unit_test(peaks_and_energy),
+        cmocka_unit_test(peaks_of_beads),
+        cmocka_unit_test(tiles_change_no_bit),
+        cmocka_unit_test(kinks_are_put_right),
+        cmocka_unit_test(the_right_contacts_are_flagged),
+        cmocka_unit_test(bits_are_the_same),
+        cmocka_unit_test(branch_points_are_found),
+        cmocka_unit_test(rest_is_untouched),
+        cmocka_unit_test(branch_points_of_any_motion),
+        cmocka_unit_test(picard_changes_are_reported),
     };
     return cmocka_run_group_tests_name("events", tests, NULL, NULL);
 }
