@@ -101,13 +101,12 @@ BEAD_OPTION_READER(bead_scene_read_taper)
 {
     struct bead_variation *v = (void *)((char *)settings + option->offset);
     struct bead_option part = *option;
-    double smaller = 0;
     if (at->node->kind == BEAD_NODE_MAP)
         return bead_options_read(reader, at, &bead_taper_options, v);
     part.type = BEAD_OPTION_NUMBER;
-    enum bead_error err = bead_read_number(reader, at, &part, &smaller);
-    v->ratio = 1 - smaller;
-    return err;
+    BEAD_TRY(bead_read_number(reader, at, &part, &v->ratio));
+    v->ratio = 1 - v->ratio;
+    return BEAD_OK;
 }
 
 /* ---- disorder ---- */

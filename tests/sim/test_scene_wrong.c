@@ -180,6 +180,9 @@ static void limits_are_exact(void **state)
          "chain: {equation: fput, points: 31, start: {mode: 1}}\nsimulate: {until: -1}\noutputs: [{table: a.csv, show: "
          "measures}]\n",
          "until: `-1` is out of range"},
+        {"simulate: {accuracy: statistical}\nsweep: {cells: 4}\noutputs: [{sweep: a.h5}]\n",
+         "simulate: {accuracy: statistical, step: 1 us}\nsweep: {cells: 4}\noutputs: [{sweep: a.h5}]\n", "is for sweeps without"},
+        {"simulate: {verify: true}\n" BEADS OUTPUTS, "simulate: {verify: true, step: 1 us}\n" BEADS OUTPUTS, "verify: chooses the"},
         {"sweep: {cells: 197, configurations: 1000000, magnetism: [0]}\noutputs: [{sweep: a.h5}]\n", /* 200 numbers of each */
          "sweep: {cells: 198, configurations: 1000000, magnetism: [0]}\noutputs: [{sweep: a.h5}]\n",
          "has 1000000 configurations of 3 results and 198 spins, which is too much"},
