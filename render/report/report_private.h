@@ -32,7 +32,8 @@ struct bead_sink {
     struct bead_run_context context;
     char *path;
     struct bead_grid grid; /* of the samples kept */
-    size_t stride;         /* of all samples, each stride-th is kept */
+    size_t stride;         /* of all samples, each stride-th is kept, */
+    size_t each;           /* and each each-th is measured: check runs need them all */
     bool measured, held;   /* kept samples are far apart: each has the largest values since the previous one */
     size_t samples, chain_count;
     struct report_chain *chains;

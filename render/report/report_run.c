@@ -110,7 +110,8 @@ static void choose_stride(struct bead_sink *s)
     s->measured = s->peaks && isnan(shown->time[0]) && isnan(shown->time[1]) && every <= most * (1 + 1e-9) && isfinite(every);
     s->held = every < s->grid.every &&
               bead_held_is_needed(s->context.chains[0], BEAD_FIELD_BIT(shown->field), s->grid.every, s->context.resolution);
-    s->stride = s->measured || s->held ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
+    s->each = s->measured && !s->context.replayed ? bead_measures_each(s->context.chains, s->context.chain_count) : 1;
+    s->stride = s->each * (s->measured || s->held ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1);
 }
 
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
@@ -192,8 +193,8 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     if (!err && s->held)
         err = bead_held_create(c->chain, report_fields(s, c), s->output->shown.beads, &c->held, msg);
     if (!err && s->measured)
-        err = bead_measures_create(c->chain, &c->measures, msg);
-    return err || !s->measured ? err : bead_measures_create(c->chain, &c->check, msg);
+        err = bead_measures_create(c->chain, false, &c->measures, msg);
+    return err || !s->measured ? err : bead_measures_create(c->chain, true, &c->check, msg);
 }
 
 static enum bead_error report_begin(struct bead_sink *s, struct bead_range, struct bead_message *msg)
@@ -214,15 +215,18 @@ static void keep(const double *values, struct bead_span span, size_t sample, flo
 static enum bead_error report_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct report_chain *c = &s->chains[sample->chain];
-    enum bead_error err = c->measures ? bead_measures_feed(c->measures, sample, msg) : BEAD_OK;
-    if (!err && c->check && sample->check)
-        err = bead_measures_feed(c->check, sample->check, msg);
+    const size_t index = c->fed++;
+    enum bead_error err = c->check && sample->check ? bead_measures_feed(c->check, sample->check, msg) : BEAD_OK;
     c->unknown = c->unknown || !sample->check;
+    if (err || index % s->each > 0)
+        return err;
+    if (c->measures)
+        BEAD_TRY(bead_measures_feed(c->measures, sample, msg));
     if (c->held)
         bead_held_feed(c->held, sample);
-    if (err || c->fed++ % s->stride > 0)
-        return err;
-    if (sample->index != c->fed - 1 || c->kept == s->samples)
+    if (index % s->stride > 0)
+        return BEAD_OK;
+    if (sample->index != index || c->kept == s->samples)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu arrived out of order", s->path, sample->index,
                          sample->chain);
     const struct bead_sample *shown = c->held ? bead_held_take(c->held) : sample;

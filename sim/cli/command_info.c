@@ -294,7 +294,7 @@ static enum bead_error describe_measures(FILE *out, struct bead_trajectory *traj
                  beads.last >= bead_chain_beads(of) - 1;
     if (!there || !bead_chain_spec(of)->system->has_contacts || (double)samples * (double)bead_chain_beads(of) > most_values)
         return BEAD_OK;
-    enum bead_error err = bead_measures_create(of, &measures, msg);
+    enum bead_error err = bead_measures_create(of, false, &measures, msg);
     if (!err)
         err = feed(trajectory, chain, samples, measures, msg);
     if (!err)

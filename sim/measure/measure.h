@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures: numbers that describe the run of one chain: speed, width, energy of the leading pulse, decay, transmission ...
  *
- *   err = bead_measures_create(chain, &measures, &msg);
+ *   err = bead_measures_create(chain, false, &measures, &msg);
  *   err = bead_measures_feed(measures, sample, &msg);      every sample of this chain, in order, equally spaced
  *   count = bead_measures_read(measures, outcome, found, room);
  *   bead_measures_destroy(measures);
  *
  * Everything is measured at contacts, from forces less their static part. The leading pulse is the first: it lasts until the force
- * of the contact has fallen below a tenth of its maximum. It is measured at the probe, a contact far enough from the end of the
- * chain not to be disturbed by it, and, if the chain repeats itself there (uniform, dimers, ...), over one whole cell. */
+ * of the contact has fallen below a tenth of its maximum. Integrals over it end where the contact opens, or at the first minimum below
+ * a twentieth, and at the latest three times its rise after its maximum. It is measured at the probe, a contact far enough from the
+ * end of the chain not to be disturbed by it, and, if the chain repeats itself there (uniform, dimers, ...), over one whole cell. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/chain.h"
@@ -37,9 +39,13 @@ BEAD_INTERNAL const struct bead_measure_info *bead_measure_info(size_t index);
 
 struct bead_measures;
 
-/* The chain must outlive the measures. Errors: MEMORY. On failure *measures is NULL. */
-BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures,
-                                                              struct bead_message *msg);
+/* Runs the clean wave, more accurately for measures of a check run. The chain must outlive the measures. Errors: MEMORY. On failure
+ * *measures is NULL. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_create(const struct bead_chain *chain, bool of_check,
+                                                              struct bead_measures **measures, struct bead_message *msg);
+/* The samples that measures of check runs need for each of the run's, so that their difference tells the errors of curves through
+ * samples, too. */
+BEAD_INTERNAL size_t bead_measures_each(const struct bead_chain *const *chains, size_t count);
 BEAD_INTERNAL void bead_measures_destroy(struct bead_measures *measures);
 /* Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures *measures, const struct bead_sample *sample,

@@ -37,8 +37,7 @@ static double curve_slope(const struct bead_curve *curve, double x)
     return slope;
 }
 
-/* The place between low and high at which the curve crosses `value`; the two ends are on different sides of it. */
-static double curve_crossing(const struct bead_curve *curve, double value, double low, double high)
+double bead_curve_crossing(const struct bead_curve *curve, double value, double low, double high)
 {
     double sign = bead_curve_value(curve, low) - value >= 0 ? 1 : -1;
     for (int i = 0; i < BISECTIONS; i++) {
@@ -63,8 +62,19 @@ double bead_curve_maximum(const struct bead_curve *curve, double low, double hig
     return 0.5 * (low + high);
 }
 
-/* First of the samples for a curve around index `at`, and their number. */
-static size_t window(size_t count, size_t at, size_t *points)
+double bead_curve_integral(const struct bead_curve *curve, double from, double to)
+{
+    /* Gauss-Legendre, exact up to degree 7. */
+    static const double node[2] = {0.3399810435848563, 0.8611363115940526}, weight[2] = {0.6521451548625461, 0.3478548451374538};
+    const double centre = 0.5 * (from + to), half = 0.5 * (to - from);
+    double sum = 0;
+    for (size_t i = 0; i < 2; i++)
+        sum += weight[i] *
+               (bead_curve_value(curve, centre - half * node[i]) + bead_curve_value(curve, centre + half * node[i]));
+    return half * sum;
+}
+
+size_t bead_curve_window(size_t count, size_t at, size_t *points)
 {
     *points = count < BEAD_CURVE_POINTS ? count : BEAD_CURVE_POINTS;
     size_t half = *points / 2, first = at > half ? at - half : 0;
@@ -79,7 +89,7 @@ double bead_samples_maximum(const double *values, size_t count, double *largest)
     *largest = count > 0 ? values[at] : NAN;
     if (at == 0 || at + 1 >= count)
         return NAN;
-    size_t first = window(count, at, &points);
+    size_t first = bead_curve_window(count, at, &points);
     struct bead_curve curve = bead_curve_through(values + first, points);
     double x = bead_curve_maximum(&curve, (double)(at - 1 - first), (double)(at + 1 - first)), value = bead_curve_value(&curve, x);
     if (value >= *largest) /* else a kink is nearby */
@@ -92,9 +102,9 @@ double bead_samples_crossing(const double *values, size_t count, size_t from, in
     for (size_t i = from; step > 0 ? i + 1 < count : i > 0;) {
         size_t next = step > 0 ? i + 1 : i - 1, low = step > 0 ? i : next, points;
         if (values[i] >= level && values[next] < level) {
-            size_t first = window(count, low, &points);
+            size_t first = bead_curve_window(count, low, &points);
             struct bead_curve curve = bead_curve_through(values + first, points);
-            return (double)first + curve_crossing(&curve, level, (double)(low - first), (double)(low + 1 - first));
+            return (double)first + bead_curve_crossing(&curve, level, (double)(low - first), (double)(low + 1 - first));
         }
         i = next;
     }

@@ -41,8 +41,13 @@ struct bead_curve {
 /* count <= BEAD_CURVE_POINTS */
 struct bead_curve bead_curve_through(const double *values, size_t count);
 double bead_curve_value(const struct bead_curve *curve, double x);
+double bead_curve_integral(const struct bead_curve *curve, double from, double to);
 /* Place of the maximum between low, where the slope is positive, and high, where it is not. */
 double bead_curve_maximum(const struct bead_curve *curve, double low, double high);
+/* The place between low and high, on different sides of `value`, at which the curve has it. */
+double bead_curve_crossing(const struct bead_curve *curve, double value, double low, double high);
+/* First of the samples for a curve around index `at` of `count`, and their number. */
+size_t bead_curve_window(size_t count, size_t at, size_t *points);
 
 /* Place of the maximum of `count` values (not the first or last of them), in units of the index, and its value. */
 double bead_samples_maximum(const double *values, size_t count, double *largest);

@@ -4,14 +4,15 @@
 #include <stdlib.h>
 
 #include "beadreel/law.h"
+#include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 
 /* The trace begins when the probe's force exceeds this part of the largest so far. It ends this many rise times of the pulse after
  * the maximum of the cell's last contact. */
-static const double begin_part = 1e-10, tail_rises = 3;
-/* A pulse ends with the first minimum below this part of its maximum. */
-static const double end_part = 0.05;
+static const double begin_part = 1e-12, tail_rises = 3;
+/* A pulse rises from the first of these parts of its maximum, and ends with the first minimum below the second. */
+static const double rise_part = 1e-10, end_part = 0.05;
 /* Contacts on each side of the probe for the local speed, if no cell repeats there. */
 enum { IRREGULAR = 10 };
 
@@ -76,16 +77,110 @@ enum bead_error bead_trace_feed(struct bead_measures *m, const struct bead_sampl
     return BEAD_OK;
 }
 
-/* Number of samples until the pulse in contact probe + i has passed. */
-static size_t pulse_end(const struct bead_trace *t, size_t i, double peak, double peak_time)
+/* A number of contact probe + i, or of the bead that it pushes, at a sample. */
+typedef double quantity(const struct bead_measures *m, size_t i, size_t sample);
+
+static double compression(const struct bead_measures *m, size_t i, size_t sample)
 {
+    return m->trace.displacement[i][sample] - m->trace.displacement[i + 1][sample];
+}
+
+static double force(const struct bead_measures *m, size_t i, size_t sample)
+{
+    return m->trace.force[i][sample];
+}
+
+static double valley(const struct bead_measures *m, size_t i, size_t sample)
+{
+    return -m->trace.force[i][sample];
+}
+
+static double power(const struct bead_measures *m, size_t i, size_t sample)
+{
+    return m->trace.force[i][sample] * m->trace.velocity[i][sample];
+}
+
+static double kinetic(const struct bead_measures *m, size_t i, size_t sample)
+{
+    const double v = m->trace.velocity[i][sample];
+    return 0.5 * bead_chain_mass(m->chain)[m->places.probe + 1 + i] * v * v;
+}
+
+/* Energy of the contact above its static state, J. */
+static double potential(const struct bead_measures *m, size_t i, size_t sample)
+{
+    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
+    const struct bead_law *law = spec->row;
+    const size_t contact = m->places.probe + i;
+    const double a = bead_chain_stiffness(m->chain)[contact], d0 = bead_chain_static_compression(m->chain)[contact],
+                 d = compression(m, i, sample);
+    return law->energy(a, spec, d0 + d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[contact] * d;
+}
+
+/* The curve through the samples around index `at`; its place 0 is sample *first. */
+static struct bead_curve around(const struct bead_measures *m, size_t i, quantity *of, size_t at, size_t *first)
+{
+    double values[BEAD_CURVE_POINTS];
+    size_t points;
+    *first = bead_curve_window(m->trace.count, at, &points);
+    for (size_t s = 0; s < points; s++)
+        values[s] = of(m, i, *first + s);
+    return bead_curve_through(values, points);
+}
+
+/* Fronts fall off doubly exponentially: logarithms are smooth. */
+static double logarithm(const struct bead_measures *m, size_t i, size_t sample)
+{
+    return bead_log(m->trace.force[i][sample]);
+}
+
+/* When the probe's force rises above a part of its maximum, in spacings; 0 if it does so before the trace. */
+static double rise_begin(const struct bead_measures *m, double level)
+{
+    const struct bead_trace *t = &m->trace;
+    size_t at = 0, first;
+    while (at + 1 < t->count && t->force[0][at] < level)
+        at++;
+    const struct bead_curve curve = around(m, 0, logarithm, at, &first);
+    const double x = at == 0 ? 0 : bead_curve_crossing(&curve, bead_log(level), (double)(at - 1 - first), (double)(at - first));
+    return at == 0 || !isfinite(bead_curve_value(&curve, x)) ? (double)at : (double)first + x;
+}
+
+/* Where a pulse ends that goes on, in spacings: `tail_rises` rises at the probe after the maximum of the cell's last contact. The
+ * samples reach further, unless the run ends. */
+static double latest_end(const struct bead_measures *m)
+{
+    const struct bead_trace *t = &m->trace;
+    const struct bead_pulse first = bead_pulses_first(m->pulses, m->places.probe),
+                            last = bead_pulses_first(m->pulses, m->places.probe + m->places.cell - 1);
+    const double rise = (first.time - t->begin) / t->spacing - rise_begin(m, rise_part * first.force);
+    return fmin((last.time - t->begin) / t->spacing + tail_rises * rise, (double)(t->count - 1));
+}
+
+/* Where the pulse in contact probe + i ends, near sample `at`, in spacings: where the contact opens, or at a minimum. */
+static double end_near(const struct bead_measures *m, size_t i, size_t at)
+{
+    size_t first;
+    if (m->trace.force[i][at] > 0) {
+        const struct bead_curve curve = around(m, i, valley, at, &first);
+        return (double)first + bead_curve_maximum(&curve, (double)(at - 1 - first), (double)(at + 1 - first));
+    }
+    /* The force has a branch point where a contact opens, the compression has none; a dashpot may end the force before. */
+    const struct bead_curve curve = around(m, i, compression(m, i, at) <= 0 ? compression : force, at, &first);
+    return (double)first + bead_curve_crossing(&curve, 0, (double)(at - 1 - first), (double)(at - first));
+}
+
+/* When the pulse in contact probe + i has passed, in spacings: at the first of these below end_part, but not after latest_end. */
+static double pulse_end(const struct bead_measures *m, size_t i, double peak, double peak_time)
+{
+    const struct bead_trace *t = &m->trace;
     const double *f = t->force[i];
     size_t at = (size_t)fmin(fmax((peak_time - t->begin) / t->spacing, 0) + 1, (double)t->count);
-    while (at < t->count && f[at] > end_part * peak)
+    while (at + 1 < t->count && f[at] > end_part * peak)
         at++;
     while (at + 1 < t->count && f[at] > 0 && f[at + 1] < f[at])
         at++;
-    return at < t->count ? at + 1 : t->count;
+    return at + 1 < t->count ? fmin(end_near(m, i, at), latest_end(m)) : latest_end(m);
 }
 
 /* Time, s, between the two crossings of `part` of the maximum nearest to it. */
@@ -100,31 +195,15 @@ static double width(const double *values, size_t count, double spacing, double p
                       bead_samples_crossing(values, count, from, -1, part * largest));
 }
 
-/* Energy of contact probe + i above its static state, J. */
-static double potential(const struct bead_measures *m, size_t i, size_t sample)
+/* From the first sample to `end`, in spacings: between two samples, of the curve through those around them. */
+static double integral(const struct bead_measures *m, size_t i, quantity *of, double end)
 {
-    const struct bead_trace *t = &m->trace;
-    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    const struct bead_law *law = spec->row;
-    size_t contact = m->places.probe + i;
-    double a = bead_chain_stiffness(m->chain)[contact], d0 = bead_chain_static_compression(m->chain)[contact];
-    double d = t->displacement[i][sample] - t->displacement[i + 1][sample];
-    return law->energy(a, spec, d0 + d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[contact] * d;
-}
-
-/* Integrals over the pulse, through the probe and over one cell. For a smooth pulse that begins and ends at zero, the plain sum is
- * as accurate as the samples. */
-static void integrate(const struct bead_measures *m, size_t i, size_t end, struct bead_pulse_found *found)
-{
-    const struct bead_trace *t = &m->trace;
-    double mass = bead_chain_mass(m->chain)[m->places.probe + 1 + i];
-    for (size_t s = 0; s < end; s++) {
-        double f = t->force[i][s], v = t->velocity[i][s];
-        found->energy += i == 0 ? t->spacing * f * v : 0;
-        found->momentum += i == 0 ? t->spacing * f : 0;
-        found->kinetic += t->spacing * 0.5 * mass * v * v;
-        found->potential += t->spacing * potential(m, i, s);
+    double sum = 0;
+    for (size_t s = 0, first; (double)s < end; s++) {
+        const struct bead_curve curve = around(m, i, of, s, &first);
+        sum += bead_curve_integral(&curve, (double)(s - first), fmin((double)(s + 1), end) - (double)first);
     }
+    return m->trace.spacing * sum;
 }
 
 /* Largest mean of the forces in contacts probe + i and the next. */
@@ -155,11 +234,14 @@ static void read_contact(const struct bead_measures *m, size_t i, struct bead_pu
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
     size_t contact = m->places.probe + i;
     struct bead_pulse first = bead_pulses_first(m->pulses, contact);
-    size_t end = pulse_end(t, i, first.force, first.time);
-    double velocity, force, rest = bead_chain_static_force(m->chain)[contact], a = bead_chain_stiffness(m->chain)[contact];
+    const double over = pulse_end(m, i, first.force, first.time);
+    const size_t end = (size_t)over + 1;
+    double velocity, rest = bead_chain_static_force(m->chain)[contact], a = bead_chain_stiffness(m->chain)[contact];
     bead_samples_maximum(t->velocity[i], end, &velocity);
-    bead_samples_maximum(t->force[i], end, &force);
-    integrate(m, i, end, found);
+    found->energy += i == 0 ? integral(m, i, power, over) : 0;
+    found->momentum += i == 0 ? integral(m, i, force, over) : 0;
+    found->kinetic += integral(m, i, kinetic, over);
+    found->potential += integral(m, i, potential, over);
     found->bead_force = fmax(found->bead_force, bead_force(m, i, end));
     if (velocity > found->velocity) {
         found->velocity = velocity;

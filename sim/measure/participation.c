@@ -99,11 +99,11 @@ static size_t find_cell(const struct bead_chain *chain, size_t *cell)
     return usual->cell_beads;
 }
 
-static enum bead_error participation_measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+static enum bead_error participation_measure(const struct bead_chain *chain, double tolerance_factor, double *clean, struct bead_message *msg)
 {
     struct bead_simulate asked = chain->scene->simulate;
     asked.step = 0;
-    asked.accuracy = accuracy;
+    asked.accuracy = accuracy * tolerance_factor;
     struct bead_consumer consumer = {.needs = {.states = true}};
     const struct bead_play play = {.chains = &chain,
                                    .chain_count = 1,
@@ -124,7 +124,8 @@ static enum bead_error participation_measure(const struct bead_chain *chain, dou
     return err;
 }
 
-enum bead_error bead_participation_clean(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+enum bead_error bead_participation_clean(const struct bead_chain *chain, double tolerance_factor, double *clean,
+                                         struct bead_message *msg)
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;
@@ -146,7 +147,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     spec.segment_count = 1;
     enum bead_error err = bead_chain_create_of(chain->scene, &spec, &made, &why);
     if (!err)
-        err = participation_measure(made, clean, &why);
+        err = participation_measure(made, tolerance_factor, clean, &why);
     bead_chain_destroy(made);
     free(cell);
     return err == BEAD_ERROR_MEMORY ? bead_fail(msg, err, "%s", why.text) : BEAD_OK; /* other errors: no clean wave */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Order of a wave: how clean it still is when its front reaches the end of the chain.
  *
- *   err = bead_participation_clean(chain, &clean, &msg);          runs the clean wave
+ *   err = bead_participation_clean(chain, 1, &clean, &msg);       runs the clean wave
  *   p = bead_chain_participation(chain, u, v);             of the state at the front's arrival
  *   index = bead_clean_index(bead_chain_beads(chain), p, clean);
  *
@@ -37,9 +37,9 @@
 enum { BEAD_ORDER_BEADS = 512 };
 
 /* Participation of the clean wave of the chain's cells; NaN if there is none (the front does not get through, or does not end). It
- * is run to an accuracy of 1e-6. Errors: MEMORY. */
-BEAD_INTERNAL BEAD_CHECK enum bead_error bead_participation_clean(const struct bead_chain *chain, double *clean,
-                                                                  struct bead_message *msg);
+ * is run to an accuracy of 1e-6 times `tolerance_factor`. Errors: MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_participation_clean(const struct bead_chain *chain, double tolerance_factor,
+                                                                  double *clean, struct bead_message *msg);
 /* Participation from displacements, m, and velocities, m/s, [beads]; NaN if there is no energy. */
 BEAD_INTERNAL double bead_chain_participation(const struct bead_chain *chain, const double *displacement, const double *velocity);
 /* The index of n beads; NaN if `clean` or `participation` is, or n <= clean. */

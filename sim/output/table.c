@@ -79,12 +79,19 @@ static enum bead_error table_create(const struct bead_output *output, const stru
     return sink->locale != (locale_t)0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
 }
 
+/* The number of the check run's samples for each of the run's. */
+static size_t samples_each(const struct bead_sink *sink)
+{
+    return sink->check && sink->each > 0 ? sink->each : 1;
+}
+
 static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.grid = sink->grid, .until = sink->grid.end, .beads = {0, 0}, .why = sink->why};
     if (sink->table->needs)
         sink->table->needs(sink, needs);
     needs->checked = sink->check != NULL;
+    needs->grid.every /= (double)samples_each(sink);
 }
 
 static void write_header(struct bead_sink *sink)
@@ -124,7 +131,7 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
     locale_t before = uselocale(sink->locale);
     enum bead_error error = sink->check && sample->check ? sink->table->sample(sink->check, sample->check, msg) : BEAD_OK;
     sink->unknown = sink->unknown || !sample->check;
-    if (!error)
+    if (!error && sample->index % samples_each(sink) == 0)
         error = sink->table->sample(sink, sample, msg);
     uselocale(before);
     if (error)

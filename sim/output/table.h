@@ -23,6 +23,7 @@ struct bead_sink {
     const struct bead_output *output;
     const struct table *table;
     struct bead_sink *check; /* the same table of the check run, which is not written; NULL: there is no such run */
+    size_t each;             /* samples of that for each of the run's; 0: 1 */
     const double *bounds;    /* instead of it, for a trajectory's samples: the context's bounds */
     struct bead_grid grid;
     char *path, *part;

@@ -32,6 +32,7 @@ static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_mess
     if (watched == 0)
         return BEAD_OK;
     struct bead_run_context context = sink->context;
+    sink->each = bead_measures_each(context.chains, context.chain_count);
     context.resolution *= BEAD_MEASURE_SPACING;
     enum bead_error err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
     if (!err && !(context.native.every > 0))
@@ -52,6 +53,11 @@ static void measures_needs(const struct bead_sink *sink, struct bead_needs *need
     needs->states = true;
 }
 
+static bool is_check(const struct bead_sink *sink)
+{
+    return !sink->path; /* it is not written */
+}
+
 /* Not earlier, because creating measures simulates the clean wave. */
 static enum bead_error measures_begin(struct bead_sink *sink, struct bead_message *msg)
 {
@@ -60,7 +66,7 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
     BEAD_TRY(bead_new(&sink->measures, count, msg, "a table"));
     for (size_t c = 0; !err && c < count; c++) {
         if (of_beads(sink->context.chains[c])) /* equations have other measures */
-            err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
+            err = bead_measures_create(sink->context.chains[c], is_check(sink), &sink->measures[c], msg);
     }
     return err;
 }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Schedules samples: finds the next time that any consumer wants, and delivers the sample to all that want it. */
+#include <float.h>
 #include <math.h>
 
 #include "sim/run/play.h"
 
-/* Times of two grids closer than this part of a spacing are equal: grids start and step in decimal units. */
-static const double same_time = 1e-6;
+/* Times of two grids are equal if they differ by rounding only: of a unit, a product and a sum in each. */
+static const double same_time = 8 * DBL_EPSILON;
 
 void bead_due_start(const struct bead_play *play)
 {
@@ -18,7 +19,7 @@ void bead_due_start(const struct bead_play *play)
 
 static bool wants(const struct bead_consumer *c, double time)
 {
-    return c->next < c->count && bead_grid_time(&c->needs.grid, c->next) <= time + same_time * c->needs.grid.every;
+    return c->next < c->count && bead_grid_time(&c->needs.grid, c->next) <= time * (1 + same_time);
 }
 
 bool bead_due_next(const struct bead_play *play, struct bead_due *due)

@@ -24,6 +24,7 @@ struct work {
 /* The measures of a chain, and of its check run (NULL: none). */
 struct measured {
     struct bead_measures *run, *check;
+    size_t each; /* samples for each of the run's measures */
 };
 
 static enum bead_error take(const struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg)
@@ -31,7 +32,7 @@ static enum bead_error take(const struct bead_consumer *consumer, const struct b
     const struct measured *of = consumer->context;
     if (of->check && sample->check)
         BEAD_TRY(bead_measures_feed(of->check, sample->check, msg));
-    return bead_measures_feed(of->run, sample, msg);
+    return sample->index % of->each == 0 ? bead_measures_feed(of->run, sample, msg) : BEAD_OK;
 }
 
 static double value_of(const struct work *work, struct bead_measures *measures, const struct bead_outcome *outcome)
@@ -68,7 +69,8 @@ static enum bead_error run(const struct work *work, size_t index, const struct b
     struct bead_played played;
     BEAD_TRY(bead_run_kind_of(chain)->pace(chain, play.simulate, 1, &pace, msg));
     BEAD_TRY(find_end(&play, msg));
-    const double every = play.end / ceil(play.end / (BEAD_MEASURE_SPACING * pace.resolution));
+    of->each = of->check ? bead_measures_each(&chain, 1) : 1;
+    const double every = play.end / ceil(play.end / (BEAD_MEASURE_SPACING * pace.resolution)) / (double)of->each;
     struct bead_consumer consumer = {.needs = {.fields = BEAD_MEASURE_FIELDS,
                                                .beads = {0, SIZE_MAX},
                                                .grid = {0, every, play.end, false},
@@ -91,11 +93,11 @@ static enum bead_error play_measured(void *context, size_t index, const struct b
 {
     const struct work *work = context;
     const struct bead_chain *chain = asked->chains[0];
-    struct measured of = {NULL, NULL};
+    struct measured of = {NULL, NULL, 1};
     work->values[index] = work->finer[index] = NAN;
-    enum bead_error err = bead_measures_create(chain, &of.run, msg);
+    enum bead_error err = bead_measures_create(chain, false, &of.run, msg);
     if (!err && (index % work->every == 0 || bead_is_long(chain)))
-        err = bead_measures_create(chain, &of.check, msg);
+        err = bead_measures_create(chain, true, &of.check, msg);
     if (!err)
         err = run(work, index, asked, &of, msg);
     bead_measures_destroy(of.run);

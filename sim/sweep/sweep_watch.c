@@ -34,7 +34,7 @@ static enum bead_error compare(const struct work *work, const struct bead_chain 
         up += *spin == '1';
         down += *spin == '0';
     }
-    enum bead_error err = down > up ? bead_participation_clean(chain, &clean, msg) : BEAD_OK;
+    enum bead_error err = down > up ? bead_participation_clean(chain, 1, &clean, msg) : BEAD_OK;
     watch->clean_index = bead_clean_index(chain->beads, watch->participation, clean);
     return err;
 }
@@ -102,7 +102,7 @@ static enum bead_error find_clean(struct work *work, struct bead_message *msg)
             continue;
         err = bead_sweep_chain_create(work->sweep, p, BEAD_SWEEP_CLEAN, &chain, msg);
         if (!err)
-            err = bead_participation_clean(bead_sweep_chain_of(chain), &work->clean[p], msg);
+            err = bead_participation_clean(bead_sweep_chain_of(chain), 1, &work->clean[p], msg);
         bead_sweep_chain_destroy(chain);
     }
     return err;

@@ -98,6 +98,30 @@ static void samples_end_with_their_own_run(void **state)
     assert_int_equal(s->counts.samples, s->seen.samples[0] + s->seen.samples[1]);
 }
 
+/* Number of times of two grids that end at 3 us. */
+static size_t times_of(double every, double other)
+{
+    const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
+    struct bead_consumer consumers[2] = {{.needs = {.fields = fields, .grid = {0, every, 3e-6, false}}},
+                                         {.needs = {.fields = fields, .grid = {0, other, 3e-6, false}}}};
+    const struct bead_play play = {.consumers = consumers, .consumer_count = 2};
+    struct bead_due due;
+    size_t count = 0;
+    for (bead_due_start(&play); bead_due_next(&play, &due); count++)
+        bead_due_pass(&play, &due);
+    return count;
+}
+
+/* A time that differs by rounding only is not sampled twice; others are, as a shift by a ten millionth of the spacing is more than the
+ * accuracy that may be asked for. */
+static void times_are_equal_to_rounding(void **state)
+{
+    (void)state;
+    assert_int_equal(times_of(0.1e-6, 0.3e-6), 31);
+    assert_int_equal(times_of(1e-6 / 3000, 1e-6), 9001);
+    assert_int_equal(times_of(0.1e-6, 0.1e-6 * (1 + 1e-7)), 31 + 29); /* the last is after the end */
+}
+
 /* All steps of all chains, on one thread or several. */
 static void steps_are_seen(void **state)
 {
@@ -175,6 +199,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(samples_end_with_their_own_run, set_up, tear_down),
+        cmocka_unit_test(times_are_equal_to_rounding),
         cmocka_unit_test_setup_teardown(steps_are_seen, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_consumer_may_end_it, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_stop_comes_before_a_step, set_up, tear_down),

@@ -10,6 +10,7 @@ import collections
 import csv
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -17,6 +18,7 @@ import tempfile
 ASKED = ("1e-4", "1e-6", "1e-8")
 FINE = {True: ("1e-8", "4e-8"), False: ("1e-12", "1e-11")}  # of damped chains, and others
 SAMPLES = 500
+DENSE = 8  # samples of measures in the first of these for each of the usual ones
 PATIENCE = 60  # s
 FIELDS = ("force", "velocity", "displacement")
 ROUNDING = 1e-12
@@ -104,12 +106,20 @@ def judge_measures(count, rows, exact, other, asked):
     return told
 
 
-def outputs_of(beads, every, uncertainty):
-    """Sensors at the first, middle and last part of the chain."""
+def measured_samples(beadsim, scene, until):
+    """The number of samples that measures of a run come from."""
+    plan = subprocess.run([beadsim, "--plan", scene, *until, "--set", "outputs=[{table: m.csv, show: measures, uncertainty: false}]"],
+                          capture_output=True, text=True, check=True).stdout
+    return int(re.search(r"from (\d+) samples", plan)[1])
+
+
+def outputs_of(beads, every, uncertainty, measured=None):
+    """Sensors at the first, middle and last part of the chain. `measured`: time between the samples of measures."""
     places = sorted({min(beads - 1, p) for p in (1, beads // 3, beads // 2, beads - 1)})
     last = "" if uncertainty else ", uncertainty: false"
     tables = [f"{{table: {f}.csv, show: sensors, beads: {places}, field: {f}, every: {every:.9g}{last}}}" for f in FIELDS]
-    return tables + [f"{{table: measures.csv, show: measures{last}}}"]
+    dense = f", every: {measured:.9g}" if measured else ""
+    return tables + [f"{{table: measures.csv, show: measures{last}{dense}}}"]
 
 
 def try_seed(build, seed, work, counts):
@@ -129,7 +139,8 @@ def try_seed(build, seed, work, counts):
     end = max([t for t in [*times, arrival] if not math.isnan(t)], default=0) * 1.05
     until = ("--set", f"simulate.until={end:.9g}")
     damped = "damping" in text
-    fine = [run(beadsim, scene, work, a, outputs_of(beads, end / SAMPLES, False), *until) for a in FINE[damped]]
+    dense = end / (DENSE * measured_samples(beadsim, scene, until)) if end > 0 else 0
+    fine = [run(beadsim, scene, work, a, outputs_of(beads, end / SAMPLES, False, dense / (1 + i)), *until) for i, a in enumerate(FINE[damped])]
     if end <= 0 or not all(fine):
         return print(f"  seed {seed}, {kind[2:]}: no reference", flush=True)
     for asked in ASKED[: 2 if damped else 3]:
