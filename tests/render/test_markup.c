@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -260,6 +262,40 @@ static void texts_are_cut_between_characters(void **)
     }
 }
 
+/* The first `length` bytes of a text, before a page that cannot be read. */
+static const char *at_edge(char *pages, size_t page, const char *text, size_t length)
+{
+    char *at = pages + page - length - 1;
+    memcpy(at, text, length);
+    at[length] = '\0';
+    return at;
+}
+
+/* However a text is cut, between any two bytes, nothing behind its end is read. */
+static void texts_end_anywhere(void **)
+{
+    static const char *const texts[] = {
+        "a\\*b*c_{d\\}e}^\\{ \\", "$x_{a\\_b}^\\frac{\\dot{u}}\\sqrt\\rho \\left( \\mathrm{m\\a} \\$ \\unknown$ = *i\\",
+        "<b>a\\</b><sub>*x*_0</sub> & <i>c</i>\\ = \u03b1\u03b2_\u03b1\u2080\u0304", "{_{^{*\\*_\\}$\\"};
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    char *pages = mmap(NULL, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_true(pages != MAP_FAILED && mprotect(pages + page, page, PROT_NONE) == 0);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        for (size_t length = 0; length <= strlen(texts[i]); length++) {
+            for (size_t from = 0; from <= length; from++) {
+                char out[2048];
+                const char *text = at_edge(pages, page, texts[i] + from, length - from);
+                bead_markup(text, out, bead_markup_size(text));
+                assert_true(strlen(out) < bead_markup_size(text));
+                bead_markup_symbols(text, out, sizeof out);
+                bead_markup_quote(text, out, sizeof out);
+                bead_text_escape(text, out, sizeof out);
+            }
+        }
+    }
+    assert_int_equal(munmap(pages, 2 * page), 0);
+}
+
 /* Where memory is short, no marks are taken for words. */
 static void plain_text_needs_memory(void **)
 {
@@ -283,6 +319,7 @@ int main(void)
         cmocka_unit_test(marks_become_spans),
         cmocka_unit_test(symbols_are_single_letters),
         cmocka_unit_test(texts_are_cut_between_characters),
+        cmocka_unit_test(texts_end_anywhere),
         cmocka_unit_test(plain_text_needs_memory),
     };
     return cmocka_run_group_tests_name("markup", tests, NULL, NULL);
