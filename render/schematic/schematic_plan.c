@@ -213,7 +213,7 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
     plan->lanes.lane = calloc(count, sizeof *plan->lanes.lane);
     if (!plan->rows || !plan->lanes.lane) {
         d->sketch->failed = true;
-        return false;
+        return false; /* whatever is drawn is then refused */
     }
     plan->row_count = count;
     find_largest(plan);

@@ -400,6 +400,57 @@ static void find_scales(const struct drawn *d, size_t page, struct scale scale[2
     assert_true(scale[0].count > 1 && scale[1].count > 1);
 }
 
+/* The exponents of straight lines between logarithmic axes are those that the legend says: of both fits, and of both theories,
+ * which begin where the fit of the second moment does. */
+static void power_laws_have_their_exponents(void **)
+{
+    enum { LAWS = 4 };
+    static const double near = 0.008;
+    struct scale scale[2] = {{.count = 0}, {.count = 0}};
+    double wanted[LAWS] = {2, 1}, begin[2] = {0, 0};
+    size_t said = 2, found[LAWS] = {0}, lines = 0;
+    drawn_run("chain: {" STRIKER "beads: [{cell: [large-steel, aluminium], count: 20, spins: random}]}\nsimulate: {until: 0.6 ms}\n"
+              "outputs: [{plot: a.pdf, show: spreading, theory: true, range: [1, 900], style: paper, size: [150 mm, 120 mm], dpi: "
+              "381}]\n",
+              &drawn[0]);
+    find_scales(&drawn[0], 0, scale);
+    for (size_t i = 0; i < drawn[0].texts; i++) {
+        const char *text = drawn[0].text[i].text;
+        if (strncmp(text, "exponent ", 9) == 0 && said < LAWS)
+            wanted[said++] = strtod(text + 9, NULL);
+        assert_true(!strstr(text, "theory") || strstr(text, "ballistic, exponent 2") || strstr(text, "diffusion, exponent 1"));
+    }
+    assert_int_equal(said, LAWS);
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        const double x[2] = {s->at[0].x, s->at[s->count - 1].x}, y[2] = {s->at[0].y, s->at[s->count - 1].y};
+        if (s->filled || s->count != 2 || s->dashes == 0 || fabs(x[1] - x[0]) < 20 || fabs(y[1] - y[0]) < 1)
+            continue;
+        double at[2][2];
+        for (int k = 0; k < 2; k++) {
+            at[0][k] = log10(scale[0].value[0]) +
+                       log10(scale[0].value[1] / scale[0].value[0]) * (x[k] - scale[0].at[0]) / (scale[0].at[1] - scale[0].at[0]);
+            at[1][k] = log10(scale[1].value[0]) +
+                       log10(scale[1].value[1] / scale[1].value[0]) * (y[k] - scale[1].at[0]) / (scale[1].at[1] - scale[1].at[0]);
+        }
+        const double exponent = (at[1][1] - at[1][0]) / (at[0][1] - at[0][0]);
+        size_t law = 0;
+        while (law < LAWS && fabs(exponent - wanted[law]) > near)
+            law++;
+        if (law == LAWS)
+            fail_msg("a line has the exponent %g", exponent);
+        found[law]++;
+        lines++;
+        if (law < 2 || fabs(exponent - wanted[2]) <= near) {
+            assert_true(begin[0] == 0 || (fabs(x[0] - begin[0]) < 0.1 && fabs(y[0] - begin[1]) < 0.1));
+            begin[0] = x[0], begin[1] = y[0];
+        }
+    }
+    for (size_t law = 0; law < LAWS; law++)
+        assert_true(found[law] > 0);
+    assert_true(lines >= LAWS);
+}
+
 /* What the curve with most points shows there. */
 static double shown_at(const struct drawn *d, size_t page, double x)
 {
@@ -464,6 +515,7 @@ int main(void)
         cmocka_unit_test(times_have_the_digits_they_need),
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
+        cmocka_unit_test(power_laws_have_their_exponents),
         cmocka_unit_test(images_show_their_time),
         cmocka_unit_test(each_configuration_has_a_point),
         cmocka_unit_test(bare_plots_fill_the_page),
