@@ -35,7 +35,6 @@ void bead_tracks_free(struct bead_tracks *tracks)
         free(track->packets);
         avcodec_parameters_free(&track->codec);
     }
-    tracks->count = 0;
 }
 
 int bead_tracks_open(struct bead_tracks *tracks, AVFormatContext *to)

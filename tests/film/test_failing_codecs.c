@@ -130,7 +130,7 @@ enum bead_error __wrap_bead_library_load(const struct bead_library_info *librari
 
 /* ---- films with all that their file can hold ---- */
 
-enum { PICTURES = 3, SAMPLES = 2000 };
+enum { PICTURES = 2, SAMPLES = 1200 };
 static const struct kind {
     const char *name;
     enum bead_quality quality;
@@ -162,7 +162,7 @@ static enum bead_error fill(struct bead_movie *movie, const struct kind *kind, s
 static enum bead_error make(const char *path, const struct kind *kind, struct bead_message *msg)
 {
     static const struct bead_movie_chapter chapters[] = {{0, "One"}, {0.02, "Two"}};
-    static const struct bead_movie_subtitle subtitles[] = {{0, 0.02, "one"}, {0.03, 0.05, "two"}};
+    static const struct bead_movie_subtitle subtitles[] = {{0, 0.01, "one"}, {0.02, 0.03, "two"}};
     struct bead_movie_settings wanted = settings(kind->quality);
     struct bead_movie *movie;
     wanted.title = "A film";
@@ -170,7 +170,7 @@ static enum bead_error make(const char *path, const struct kind *kind, struct be
     wanted.cover = strstr(kind->name, "mp4");
     if (kind->parts) {
         wanted.channels = 1;
-        wanted.chapters = chapters, wanted.chapter_count = 2, wanted.length = 0.06;
+        wanted.chapters = chapters, wanted.chapter_count = 2, wanted.length = 0.04;
         wanted.subtitles = subtitles, wanted.subtitle_count = 2;
     }
     BEAD_TRY(bead_movie_open(path, &wanted, &movie, msg));

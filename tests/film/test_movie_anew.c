@@ -357,6 +357,26 @@ static size_t numbers_are_in_place(const struct texts *texts, const char *what)
     return axes;
 }
 
+static bool is_said(const struct texts *texts, const char *words)
+{
+    for (size_t i = 0; i < texts->count; i++) {
+        const char *markup = texts->text[i].markup;
+        if (strlen(words) == 1 ? strcmp(markup, words) == 0 : strstr(markup, words) != NULL)
+            return true;
+    }
+    return false;
+}
+
+/* The film, its time and speed, and its chains by name. */
+static void words_are_there(const struct texts *texts, const char *chains, const char *output)
+{
+    const char *words[] = {"A film", "ms", "times", "A", "B"};
+    for (size_t i = 0; i < (chains == two ? 5 : 3); i++) {
+        if (!is_said(texts, words[i]))
+            fail_msg("%s: nothing says '%s'", output, words[i]);
+    }
+}
+
 /* All words and lines are twice as large and as far from the corner in a frame of twice the size. Places are rounded to pixels; on
  * stages beads have sizes in steps, of which places depend. */
 static void films_are_the_same_at_twice_the_size(void **)
@@ -373,6 +393,7 @@ static void films_are_the_same_at_twice_the_size(void **)
         const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 10 : 56;
         compare_lines(lines, slack, films[i].output);
         assert_true(f[0].texts.count > 10);
+        words_are_there(&f[1].texts, films[i].chains, films[i].output);
         words_are_apart(&f[1].texts, 4 * WIDTH, 4 * HEIGHT, films[i].output);
         assert_true(numbers_are_in_place(&f[1].texts, films[i].output) > 2);
         assert_int_equal(f[0].texts.count, f[1].texts.count);
@@ -431,18 +452,22 @@ static void frames_are_found(void **)
 /* A film's samples and frames pass through buffers and threads; a single frame is drawn from the samples as they come. */
 static void posters_are_frames(void **)
 {
-    static const char *const keys[] = {"beads: [4, 11], views: [profile, spacetime]", "beads: [4, 11], views: [beads, spacetime]"};
+    static const struct {
+        const char *chains, *output;
+    } kinds[] = {{one, "beads: [4, 11], views: [profile, spacetime]"},
+                 {one, "beads: [4, 11], views: [beads, spacetime]"},
+                 {two, "layout: columns, beads: [0, 11], views: [profile]"}};
     char scene[512], output[512], frame[512];
     in_directory("scene.yaml", scene, sizeof scene);
     in_directory("", output, sizeof output);
     in_directory("frame.png", frame, sizeof frame);
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         char text[1000];
         snprintf(text, sizeof text,
                  "%s\nsimulate: {until: 0.2 ms}\noutputs: [{movie: m.gif, size: [320, 240], fps: 10, duration: 0.4 s, poster: "
                  "poster.png, "
                  "%s}]\n",
-                 one, keys[i]);
+                 kinds[i].chains, kinds[i].output);
         write_text(scene, text);
         play_counts((struct bead_job){.input = scene, .output = output, .threads = 2});
         play_counts((struct bead_job){.input = scene, .output = frame, .frame = "peak", .threads = 1});

@@ -530,6 +530,24 @@ static void films_want_what_their_chains_do(void **)
 
 /* ---- cards ---- */
 
+/* Beside a name, up to the next words, there is nothing but the page: beads are below it. */
+static void assert_alone(const struct film *f, const struct text *name)
+{
+    const struct bead_frame *frame = bead_composer_frame(f->composer);
+    const int from = (int)(name->x + name->width) + 3, y = (int)(name->y + name->height / 2);
+    int to = WIDTH - (int)name->x;
+    for (size_t i = 0; i < f->texts.count; i++) {
+        const struct text *t = &f->texts.text[i];
+        if (t->x > name->x + name->width - 1 && t->y < y && t->y + t->height > y)
+            to = t->x < to ? (int)t->x - 1 : to;
+    }
+    const uint8_t *row = frame->pixels + (size_t)y * frame->stride;
+    for (int x = from; x < to; x++) {
+        for (int c = 0; c < 3; c++)
+            assert_int_equal(row[4 * x + c], frame->pixels[c]);
+    }
+}
+
 /* A card has title and text, a rule, the chains with their names, and facts, of the longest cell or, of several, the one that comes
  * most often: all from one left edge, below each other, on the page.
  * If there are more chains than fit, it says how many more. */
@@ -580,6 +598,8 @@ static void cards_say_what_is_shown(void **)
                 if (strstr(t->markup, "<i>M</i>")) /* beside the name */
                     continue;
                 named += name != NULL;
+                if (name)
+                    assert_alone(&f, t);
                 more = rest && strstr(t->markup, "more chains") ? (size_t)atoi(rest + 4) : more;
                 assert_true(fabs(t->x - left) < 4 && t->y >= bottom && t->x + t->width < WIDTH - left + 2);
                 bottom = t->y + t->height;

@@ -219,8 +219,23 @@ static double title_gap(const struct drawn *d, const struct words *title, const 
     return gap;
 }
 
-/* Titles of axes are in the middle of their frames, as far from their numbers as all; those that are too long for their axis have
- * smaller type, and letters that reach below their lines come nearer. */
+/* The bar of colours on the left of a title; NULL: there is none. */
+static const struct stroke *bar_of(const struct words *title)
+{
+    enum { NARROW = 3, WIDE = 15, HIGH = 30 };
+    const struct stroke *found = NULL;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        const double width = s->high[0] - s->low[0], off = title->low[0] - s->high[0];
+        if (is_on_page(j, title->page) && !s->filled && s->begun == 1 && s->count >= 4 && s->count <= 5 && width > NARROW &&
+            width < WIDE && s->high[1] - s->low[1] > HIGH && off > 0 && (!found || off < title->low[0] - found->high[0]))
+            found = s;
+    }
+    return found;
+}
+
+/* Titles of axes are in the middle of their frames, those of bars of their bars, as far from their numbers as all; those that are
+ * too long for their axis have smaller type, and letters that reach below their lines come nearer. */
 static void titles_are_in_place(const struct drawn *d)
 {
     /* Empirical, pt, read off the pages of these tests: titles below their axes, and beside them. The layout gives lines of type
@@ -232,7 +247,9 @@ static void titles_are_in_place(const struct drawn *d)
         if (!frame)
             continue;
         const double gap = title_gap(d, a, frame, a->upwards);
-        assert_page(a, fabs(2 * a->centre[a->upwards] - frame->low[a->upwards] - frame->high[a->upwards]) < 0.6);
+        const struct stroke *bar = a->upwards && a->low[0] > frame->high[0] ? bar_of(a) : NULL;
+        const struct stroke *along = bar ? bar : frame;
+        assert_page(a, fabs(2 * a->centre[a->upwards] - along->low[a->upwards] - along->high[a->upwards]) < 0.6);
         assert_page(a, gap == INFINITY || (gap > gaps[a->upwards][0] && gap < gaps[a->upwards][1]));
     }
 }
@@ -271,7 +288,7 @@ static void frames_are_aligned(size_t page)
 
 /* Axes fill their page: from the left and the lower edge, words are as far as the margin, and what letters lack of their lines.
  * Pages that beads do not fill are left out. */
-static void margins_are_kept(const struct drawn *d, size_t page, double width, double height)
+static inline void margins_are_kept(const struct drawn *d, size_t page, double width, double height)
 {
     const double least = 2.5, most = 7.5; /* empirical, pt, read off the pages of these tests: to ink, as above */
     double left = INFINITY, below = INFINITY, right = 0;
@@ -287,17 +304,24 @@ static void margins_are_kept(const struct drawn *d, size_t page, double width, d
         fail_msg("page %zu: words are %g from the left edge, %g from the lower one", page, left, below);
 }
 
-static void page_laws(const struct drawn *d, double width, double height)
+/* All but margins, whose bounds are those of some pages. */
+static void page_laws_inside(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
     triangles_are_even();
     titles_are_in_place(d);
     for (size_t p = 0; p < d->pages; p++) {
         frames_are_aligned(p);
-        margins_are_kept(d, p, width, height);
         for (int along = 0; along < 2; along++)
             axes_have_scales(d, p, along);
     }
+}
+
+static inline void page_laws(const struct drawn *d, double width, double height)
+{
+    page_laws_inside(d, width, height);
+    for (size_t p = 0; p < d->pages; p++)
+        margins_are_kept(d, p, width, height);
 }
 
 #endif

@@ -4,6 +4,9 @@
  * and a wave from the other end as its mirror image. */
 #include "view_films.h"
 
+#include "render/draw/axis.h"
+#include "tests/texts.h"
+
 #define AT_REST "chain: {striker: {velocity: 0 m/s}, beads: ["
 #define PART                                                                                                               \
     "{cell: [large-steel, aluminium], count: 6}, {bead: small-steel, sensor: one}, {bead: large-steel, count: 9}, {bead: " \
@@ -214,12 +217,60 @@ static void mirrored_chains_look_mirrored(void **)
     }
 }
 
+/* Names above a row of beads are within it and apart; those that would not be are left out. */
+static void names_stay_above_their_row(void **)
+{
+#define NAMED(first, last, wall)                                                                                               \
+    "chain: {striker: {velocity: 1 m/s}, beads: [{bead: large-steel, sensor: " first "}, {bead: large-steel, count: 20}, "     \
+    "{bead: large-steel, sensor: middle}, {bead: large-steel, count: 20}, {bead: large-steel, sensor: " last "}], wall: " wall \
+    "}\noutputs: [{table: a.csv}]\n"
+    static const struct {
+        struct film film;
+        size_t names; /* also of the striker and the wall */
+    } rows[] = {{{"short names", BEAD_VIEW_BEADS, NAMED("a", "b", "none"), BEAD_FIELD_FORCE, 0, 35, .film = true, .row = true}, 3},
+                {{"a long name first", BEAD_VIEW_BEADS, NAMED("the first of all the beads of this chain", "b", "none"),
+                  BEAD_FIELD_FORCE, 0, 35, .film = true, .row = true},
+                 3},
+                {{"a long name last", BEAD_VIEW_BEADS, NAMED("a", "the last of all the beads of this chain", "none"),
+                  BEAD_FIELD_FORCE, 0, 35, .film = true, .row = true},
+                 2},
+                {{"a wall", BEAD_VIEW_BEADS, NAMED("a", "the last of all the beads of this chain", "brass"), BEAD_FIELD_FORCE, 0,
+                  35, .film = true, .row = true},
+                 3}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct shown s;
+        struct texts texts = {.count = 0};
+        struct bead_message msg = {""};
+        const struct bead_text_watch watch = {texts_note, &texts};
+        open_shown(&s, &rows[i].film);
+        int left = 0, right = 0;
+        if (s.type->margins)
+            s.type->margins(&s.look, &left, &right);
+        cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+        assert_true(bead_text_watch(paper, &watch));
+        cairo_t *cr = cairo_create(paper);
+        require(s.type->decorate(s.view, cr, &msg), &msg);
+        cairo_destroy(cr);
+        cairo_surface_destroy(paper);
+        for (size_t t = 0; t < texts.count; t++) {
+            const struct text *a = &texts.text[t], *b = t > 0 ? &texts.text[t - 1] : NULL;
+            if (a->x < plot.x - left - 1 || a->x + a->width > plot.x + plot.width + right + 1 ||
+                (b && a->x < b->x + b->width && b->x < a->x + a->width))
+                fail_msg("%s: '%s' from %g to %g", rows[i].film.name, a->markup, a->x, a->x + a->width);
+        }
+        if (texts.count != rows[i].names)
+            fail_msg("%s: %zu names", rows[i].film.name, texts.count);
+        close_shown(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(films_are_the_same_in_other_manners),
         cmocka_unit_test(parts_look_as_chains_of_their_own),
         cmocka_unit_test(mirrored_chains_look_mirrored),
+        cmocka_unit_test(names_stay_above_their_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
