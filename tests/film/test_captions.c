@@ -396,8 +396,11 @@ static void stops_are_frames(void **state)
     remove(path);
     const char *list = strstr(page, "const stops = [");
     assert_non_null(list);
-    double stop[2];
-    assert_int_equal(sscanf(list, "const stops = [%lf, %lf]", &stop[0], &stop[1]), 2);
+    double stop[2], half;
+    assert_int_equal(
+        sscanf(list, "const stops = [%lf, %lf], video = document.querySelector('video'), half = %lf;", &stop[0], &stop[1], &half),
+        3);
+    assert_true(fabs(half - 0.5 / 20) < 1e-9);
     const double motion[2] = {0.3e-3, 0.6e-3}, step = 1e-3 / (double)(movie.count - 1);
     for (int i = 0; i < 2; i++) {
         const size_t frame = (size_t)(stop[i] * 20);
