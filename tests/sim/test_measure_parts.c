@@ -33,6 +33,43 @@ static void the_tail_ends_with_the_chain(void **state)
     assert_true(p.regular && p.cell == 2 && p.regular_from == 41 && p.probe == 44);
 }
 
+/* Behind `head` beads that all differ, a tail of `tail` beads of cells of `period`. */
+static struct bead_places places_behind(size_t head, size_t tail, size_t period)
+{
+    static const char *const kinds[] = {"large-steel", "aluminium", "brass", "ptfe"};
+    char text[4000];
+    int used = snprintf(text, sizeof text, "chain: {beads: [");
+    for (size_t i = 0; i < head; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "{bead: brass, mass: %zu mg}, ", 100 + i);
+    for (size_t i = 0; i < tail; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "{bead: %s}%s", kinds[i % period], i + 1 < tail ? ", " : "]}\n");
+    struct built built = build(text, "until: 1 us");
+    const struct bead_places places = bead_places_find(built.chain);
+    release(&built);
+    return places;
+}
+
+/* A tail repeats itself if it has three cells, of which one is before the probe and one behind it, within the chain. */
+static void tails_are_long_enough(void **state)
+{
+    (void)state;
+    size_t regular = 0, many = 0;
+    for (size_t head = 1; head <= 31; head += 3) {
+        for (size_t n = 0; n < 4 * 22; n++) {
+            const size_t period = 1 + n % 4, tail = period + n / 4, last = head + tail, margin = last / 4 < 20 ? last / 4 : 20;
+            const size_t probe = last - 1 - margin, first = head + 1;
+            const bool is = tail >= 3 * period && probe >= first + period && probe + period <= last - 1;
+            const struct bead_places found = places_behind(head, tail, period);
+            if (found.regular != is || found.probe != probe || (is && (found.cell != period || found.regular_from != first)))
+                fail_msg("%zu beads of cells of %zu behind %zu: cells of %zu from %zu, at %zu", tail, period, head, found.cell,
+                         found.regular_from, found.probe);
+            regular += is;
+            many++;
+        }
+    }
+    assert_true(regular > many / 4 && regular < many * 3 / 4);
+}
+
 /* Forces whose means over cells of two fall exactly by exp(-rate), while each cell's two differ, the other way round in every
  * second cell: the mean of one contact and that of the cell before would scatter by a tenth. */
 static void decay_is_that_of_the_mean_over_cells(void **state)
@@ -229,8 +266,9 @@ static void a_pulse_is_what_it_was_made_of(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tail_ends_with_the_chain), cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
-        cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum), cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_tail_ends_with_the_chain), cmocka_unit_test(tails_are_long_enough),
+                                       cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
+                                       cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum),
+                                       cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
     return cmocka_run_group_tests_name("measure_parts", tests, NULL, NULL);
 }
