@@ -234,24 +234,40 @@ static void files_are_made_like_those_of_the_scene(void **)
     static const struct {
         const char *output, *file;
         bool like;
-    } pairs[] = {{"image: a.png", "b.png", true},  {"image: a.png", "b.webp", true}, {"image: a.png", "a.pdf", false},
-                 {"image: a.png", "b.svg", false}, {"image: a.pdf", "b.svg", true},  {"image: a.pdf", "b.jpg", true},
-                 {"image: a.png", "b.mp4", false}, {"movie: a.mp4", "b.mp4", true},  {"movie: a.mp4", "b.webm", true},
-                 {"movie: a.mp4", "b.gif", true},  {"movie: a.gif", "b.mp4", true},  {"movie: a.mp4", "b.pdf", false},
-                 {"plot: a.svg", "b.pdf", true},   {"plot: a.png", "b.pdf", false},  {"table: a.csv, show: sensors", "b.csv", true},
-                 {"plot: a.svg", "b.csv", false},  {"movie: a.mp4", "b.csv", false}};
+        const char *look;
+    } pairs[] = {{"image: a.png", "b.png", true, NULL},
+                 {"image: a.png", "b.webp", true, NULL},
+                 {"image: a.png", "a.pdf", false, NULL},
+                 {"image: a.png", "b.svg", false, NULL},
+                 {"image: a.pdf", "b.svg", true, NULL},
+                 {"image: a.pdf", "b.jpg", true, NULL},
+                 {"image: a.png", "b.mp4", false, NULL},
+                 {"movie: a.mp4", "b.mp4", true, NULL},
+                 {"movie: a.mp4", "b.webm", true, NULL},
+                 {"movie: a.mp4", "b.gif", true, NULL},
+                 {"movie: a.gif", "b.mp4", true, NULL},
+                 {"movie: a.mp4", "b.pdf", false, NULL},
+                 {"plot: a.svg", "b.pdf", true, NULL},
+                 {"plot: a.png", "b.pdf", false, NULL},
+                 {"table: a.csv, show: sensors", "b.csv", true, NULL},
+                 {"plot: a.svg", "b.csv", false, NULL},
+                 {"movie: a.mp4", "b.csv", false, NULL},
+                 {"plot: a.pdf, panels: [[{field: velocity}]]", "b.pdf", true, "--colormap=grey"},
+                 {"image: a.png", "b.webp", true, "--colormap=grey"},
+                 {"plot: a.svg", "b.svg", false, "--colormap=grey"}};
     char scene[512], run[600], file[600], text[1000];
     const char *const only = "run.h5";
     snprintf(run, sizeof run, "%s/run.h5", directory);
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         snprintf(text, sizeof text,
                  "chain: {beads: [{bead: large-steel, count: 5}, {bead: brass, sensor: s}]}\nsimulate: {until: 50 us}\n"
-                 "outputs: [{trajectory: run.h5, every: 1 us, fields: all}, {%s, field: velocity}]\n",
-                 pairs[i].output);
+                 "outputs: [{trajectory: run.h5, every: 1 us, fields: all}, {%s%s}]\n",
+                 pairs[i].output, strstr(pairs[i].output, "field") ? "" : ", field: velocity");
         write_scene(text, scene);
         play_counts((struct bead_job){.input = scene, .output = directory, .threads = 1, .only = &only, .only_count = 1});
         snprintf(file, sizeof file, "%s/%s", directory, pairs[i].file);
-        char *plan = plan_of((struct bead_job){.input = run, .output = file});
+        char *plan =
+            plan_of((struct bead_job){.input = run, .output = file, .looks = &pairs[i].look, .look_count = pairs[i].look != NULL});
         if (!strstr(plan, "velocity") == pairs[i].like)
             fail_msg("%s of %s: %s", pairs[i].file, pairs[i].output, plan);
         free(plan);
