@@ -202,6 +202,45 @@ static void tapered_chains_are_one_row(void **state)
     clear_stage(s);
 }
 
+/* Beads of one material, but of different sizes, are one entry with the largest and the smallest of all chains, whichever they are;
+ * the striker has its own. */
+static void sizes_have_their_ends(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "chain: {beads: [{bead: large-steel, count: 9, taper: {from: 4.76 mm, to: 1.8 mm}}]}\n",
+        "chain: {beads: [{bead: large-steel, count: 9, taper: {from: 1.8 mm, to: 4.76 mm}}]}\n",
+        "chain: {striker: {bead: large-steel, radius: 9 mm, velocity: 1 m/s}, beads: [{bead: large-steel, radius: 3 mm}, {bead: "
+        "large-steel, count: 5, radius: 4 mm}, {bead: large-steel, radius: 2 mm}]}\n",
+        "chains:\n  - {name: a, beads: [{bead: large-steel, count: 5, radius: 4 mm}]}\n"
+        "  - {name: b, beads: [{bead: large-steel, radius: 3 mm}, {bead: large-steel, radius: 6 mm}]}\n"};
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+        char text[700], words[200], radius[2][32], mass[2][32];
+        double ends[2][2] = {{0, 0}, {INFINITY, 0}};
+        struct seen seen = {.count = 0};
+        snprintf(text, sizeof text, "%soutputs: [{plot: a.png, show: setup}]\n", chains[i]);
+        struct staged *s = set_stage(text);
+        for (size_t c = 0; c < s->scene->chain_count; c++) {
+            for (size_t j = 1; j < bead_chain_beads(s->chains[c]); j++) {
+                const double r = bead_chain_radius(s->chains[c])[j], m = bead_chain_mass(s->chains[c])[j];
+                if (r > ends[0][0])
+                    ends[0][0] = r, ends[0][1] = m;
+                if (r < ends[1][0])
+                    ends[1][0] = r, ends[1][1] = m;
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            bead_quantity(ends[k][0], "m", 3, radius[k], sizeof radius[k]);
+            bead_quantity(1e3 * ends[k][1], "g", 3, mass[k], sizeof mass[k]);
+        }
+        assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+        snprintf(words, sizeof words, "%s to %s, %s to %s", radius[0], radius[1], mass[0], mass[1]);
+        if (!wrote(&seen, words))
+            fail_msg("%s: nothing says '%s'", chains[i], words);
+        clear_stage(s);
+    }
+}
+
 /* N1 : N2 cells of many beads, and one of too many groups for a brace each. */
 static void long_cells(void **state)
 {
@@ -292,6 +331,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tapered_chains_are_one_row),
+        cmocka_unit_test(sizes_have_their_ends),
         cmocka_unit_test(setups_of_all_lengths),
         cmocka_unit_test(rows_share_what_is_left),
         cmocka_unit_test(sensors_have_names_of_any_length),
