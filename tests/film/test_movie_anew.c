@@ -138,8 +138,11 @@ static void assert_nothing_trails(const char *chains, const char *output)
         draw(&f, feed(&f, k), &changes);
         if (k == 0)
             bead_frame_copy(&copy, frame, whole);
-        for (size_t i = 0; i < changes.count; i++)
-            bead_frame_copy(&copy, frame, changes.rect[i]);
+        for (size_t i = 0; i < changes.count; i++) {
+            const struct bead_rect *r = &changes.rect[i];
+            assert_true(r->x >= 0 && r->y >= 0 && r->x + r->width <= WIDTH && r->y + r->height <= HEIGHT);
+            bead_frame_copy(&copy, frame, *r);
+        }
         assert_same(frame, &copy, k, "without what was not told");
         if (k % 4 == 3)
             assert_anew(&f, chains, output, k);

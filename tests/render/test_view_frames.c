@@ -20,12 +20,17 @@ static int difference(const struct bead_frame *a, const struct bead_frame *b)
     return most;
 }
 
-static void copy_told(struct bead_frame *to, const struct bead_frame *from, const struct bead_changes *changes)
+/* What is told to have changed is in the view's place, with its margins. */
+static void copy_told(struct bead_frame *to, const struct shown *s, const struct bead_changes *changes)
 {
+    int left = 0, right = 0;
+    if (s->type->margins)
+        s->type->margins(&s->look, &left, &right);
     for (size_t i = 0; i < changes->count; i++) {
         const struct bead_rect *r = &changes->rect[i];
-        assert_true(r->x >= 0 && r->y >= 0 && r->x + r->width <= WIDTH && r->y + r->height <= HEIGHT);
-        bead_frame_copy(to, from, *r);
+        assert_true(r->x >= plot.x - left && r->x + r->width <= plot.x + plot.width + right);
+        assert_true(r->y >= plot.y && r->y + r->height <= plot.y + plot.height);
+        bead_frame_copy(to, &s->frame, *r);
     }
 }
 
@@ -58,7 +63,7 @@ static void assert_no_trails(const struct film *film, int most)
         const double time = feed(&on, k);
         draw(&on, time, &changes);
         moved += changes.count > 0;
-        copy_told(&copy, &on.frame, &changes);
+        copy_told(&copy, &on, &changes);
         if (difference(&copy, &on.frame) > 0)
             fail_msg("%s: frame %zu has changes that were not told", film->name, k);
         if (k % 3 != 1 && k + 1 < FRAMES)
