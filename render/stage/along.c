@@ -59,7 +59,7 @@ bool bead_along_uneven(const struct bead_view_setup *setup, double length)
     const size_t first = setup->beads.first, last = setup->beads.last, beads = bead_chain_beads(setup->chain);
     if (bead_along_fixed(setup))
         return true;
-    if (!setup->over_beads || setup->camera || setup->trust || last > beads || (last == beads && !of_contacts(setup)))
+    if (!setup->over_beads || setup->camera || setup->trust || last >= beads)
         return false;
     const double *radius = bead_chain_radius(setup->chain);
     const double whole = length_of(setup), begin = bead_along_border(setup, first), mean = whole / (double)(last - first + 1);
@@ -69,7 +69,7 @@ bool bead_along_uneven(const struct bead_view_setup *setup, double length)
         const double even = begin + ((double)(j - first) + 0.5) * mean;
         if (!(right - left >= narrowest * whole / length))
             return false;
-        uneven = uneven || fabs(0.5 * (left + right) - even) > apart * radius[j < beads ? j : beads - 1];
+        uneven = uneven || fabs(0.5 * (left + right) - even) > apart * radius[j];
     }
     return uneven;
 }

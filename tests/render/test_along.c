@@ -314,16 +314,37 @@ static void test_strings_reach_their_ends(void **state)
     bead_scene_free(scene);
 }
 
+/* Of several chains the shorter ones have fewer beads than are shown: their numbers are even, as are those of images without beads,
+ * with a comparison. */
+static void test_numbers_beyond_the_chain_are_even(void **state)
+{
+    (void)state;
+    const struct made m = make(0);
+    const size_t beads = bead_chain_beads(m.chain);
+    for (size_t last = beads - 2; last < beads + 3; last++) {
+        for (int contacts = 0; contacts < 2; contacts++) {
+            struct bead_view_setup setup = {.chain = m.chain,
+                                            .field = contacts ? BEAD_FIELD_CONTACT_FORCE : BEAD_FIELD_FORCE,
+                                            .beads = {0, last},
+                                            .over_beads = true};
+            assert_int_equal(bead_along_uneven(&setup, 1000), last < beads);
+            setup.trust = true;
+            assert_false(bead_along_uneven(&setup, 1000));
+            setup.trust = setup.over_beads = false;
+            assert_false(bead_along_uneven(&setup, 1000));
+        }
+    }
+    bead_chain_destroy(m.chain);
+    bead_scene_free(m.scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_beads_over_their_numbers),
-        cmocka_unit_test(test_chains_of_like_places),
-        cmocka_unit_test(rows_leave_room_for_names),
-        cmocka_unit_test(images_are_below_their_beads),
-        cmocka_unit_test(panels_are_filled),
-        cmocka_unit_test(test_strings_reach_their_ends),
-        cmocka_unit_test(test_pixels_belong_to_unlike_beads),
+        cmocka_unit_test(test_beads_over_their_numbers),          cmocka_unit_test(test_chains_of_like_places),
+        cmocka_unit_test(test_numbers_beyond_the_chain_are_even), cmocka_unit_test(rows_leave_room_for_names),
+        cmocka_unit_test(images_are_below_their_beads),           cmocka_unit_test(panels_are_filled),
+        cmocka_unit_test(test_strings_reach_their_ends),          cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };
     return cmocka_run_group_tests_name("places along chains", tests, NULL, NULL);
 }
