@@ -28,7 +28,7 @@ static void add_beginning(const struct bead_film *film, struct bead_movie_notes 
         notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
 }
 
-/* Puts the stops among the chapters: after captions at the same time, which have the better name. */
+/* Puts the stops among the chapters, but for those that begin with a caption, within a frame, which has the better name. */
 static void add_stops(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;
@@ -38,7 +38,7 @@ static void add_stops(const struct bead_film *film, struct bead_movie_notes *not
         size_t at = notes->chapter_count;
         while (at > 0 && notes->chapters[at - 1].start > start)
             at--;
-        if (at > 0 && notes->chapters[at - 1].start == start)
+        if (at > 0 && start - notes->chapters[at - 1].start < 1 / movie->fps)
             continue;
         memmove(&notes->chapters[at + 1], &notes->chapters[at], (notes->chapter_count - at) * sizeof *notes->chapters);
         snprintf(notes->stop_names[i], sizeof notes->stop_names[i], "Stop %zu", i + 1);

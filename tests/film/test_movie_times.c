@@ -318,6 +318,42 @@ static void times_of_any_film(void **state)
     }
 }
 
+/* Chapters begin at captions and stops, each once and in order, the first one with the film; those that begin together have the
+ * name of the caption. */
+static void chapters_are_in_order(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *captions, *stops, *titles;
+    } films[] = {
+        {"{at: 0 us, text: a}", "100 us, 200 us", "a, Stop 1, Stop 2"},
+        {"{at: 100 us, text: a}, {at: 300 us, text: b}, {at: 500 us, text: c}", "200 us, 400 us, 600 us",
+         "Film, a, Stop 1, b, Stop 2, c, Stop 3"},
+        {"{at: 200 us, text: a}, {at: 300 us, text: b}", "50 us, 100 us, 200 us, 250 us", "Film, Stop 1, Stop 2, a, Stop 4, b"},
+        {"{at: 300 us, text: a}, {at: 400 us, text: b}", "0 us, 300 us", "Film, a, b"}};
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        char text[600], titles[300] = "";
+        struct bead_scene *scene;
+        struct bead_chain *chain;
+        struct bead_movie_notes notes = {.chapter_count = 0};
+        snprintf(text, sizeof text,
+                 "title: Film\nsimulate: {until: 0.9 ms}\nchain: {beads: [{bead: large-steel, count: 4}]}\n"
+                 "outputs: [{movie: film.mp4, duration: 0.9 s, fps: 100, captions: [%s], stops: [%s]}]\n",
+                 films[i].captions, films[i].stops);
+        const struct bead_film film = prepared(text, 0.9e-3, NULL, &scene, &chain);
+        assert_int_equal(bead_movie_notes_make(&film, &notes, NULL), BEAD_OK);
+        for (size_t k = 0; k < notes.chapter_count; k++) {
+            const struct bead_movie_chapter *c = &notes.chapters[k];
+            assert_true(k ? c->start > c[-1].start : c->start == 0);
+            snprintf(titles + strlen(titles), sizeof titles - strlen(titles), "%s%s", k ? ", " : "", c->title);
+        }
+        assert_string_equal(titles, films[i].titles);
+        bead_movie_notes_free(&notes);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 /* ---- impacts between frames ---- */
 
 enum { IMPACT_FRAMES = 48 };
@@ -438,6 +474,7 @@ int main(void)
         cmocka_unit_test(plans_count_what_is_in_a_gif),
         cmocka_unit_test(few_frames_miss_no_peaks),
         cmocka_unit_test(times_of_any_film),
+        cmocka_unit_test(chapters_are_in_order),
         cmocka_unit_test(impacts_are_seen),
         cmocka_unit_test(images_show_impacts),
         cmocka_unit_test(posters_show_an_impact),
