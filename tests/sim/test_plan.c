@@ -235,26 +235,28 @@ static void files_are_made_like_those_of_the_scene(void **)
         const char *output, *file;
         bool like;
         const char *look;
-    } pairs[] = {{"image: a.png", "b.png", true, NULL},
-                 {"image: a.png", "b.webp", true, NULL},
-                 {"image: a.png", "a.pdf", false, NULL},
-                 {"image: a.png", "b.svg", false, NULL},
-                 {"image: a.pdf", "b.svg", true, NULL},
-                 {"image: a.pdf", "b.jpg", true, NULL},
-                 {"image: a.png", "b.mp4", false, NULL},
-                 {"movie: a.mp4", "b.mp4", true, NULL},
-                 {"movie: a.mp4", "b.webm", true, NULL},
-                 {"movie: a.mp4", "b.gif", true, NULL},
-                 {"movie: a.gif", "b.mp4", true, NULL},
-                 {"movie: a.mp4", "b.pdf", false, NULL},
-                 {"plot: a.svg", "b.pdf", true, NULL},
-                 {"plot: a.png", "b.pdf", false, NULL},
-                 {"table: a.csv, show: sensors", "b.csv", true, NULL},
-                 {"plot: a.svg", "b.csv", false, NULL},
-                 {"movie: a.mp4", "b.csv", false, NULL},
-                 {"plot: a.pdf, panels: [[{field: velocity}]]", "b.pdf", true, "--colormap=grey"},
-                 {"image: a.png", "b.webp", true, "--colormap=grey"},
-                 {"plot: a.svg", "b.svg", false, "--colormap=grey"}};
+    } pairs[] = {
+        {"image: a.png", "b.png", true, NULL},
+        {"image: a.png", "b.webp", true, NULL},
+        {"image: a.png", "a.pdf", false, NULL},
+        {"image: a.png", "b.svg", false, NULL},
+        {"image: a.pdf", "b.svg", true, NULL},
+        {"image: a.pdf", "b.jpg", true, NULL},
+        {"image: a.png", "b.mp4", false, NULL},
+        {"movie: a.mp4", "b.mp4", true, NULL},
+        {"movie: a.mp4", "b.webm", true, NULL},
+        {"movie: a.mp4", "b.gif", true, NULL},
+        {"movie: a.gif", "b.mp4", true, NULL},
+        {"movie: a.mp4", "b.pdf", false, NULL},
+        {"plot: a.svg", "b.pdf", true, NULL},
+        {"plot: a.png", "b.pdf", false, NULL},
+        {"table: a.csv, show: sensors", "b.csv", true, NULL},
+        {"plot: a.svg", "b.csv", false, NULL},
+        {"movie: a.mp4", "b.csv", false, NULL},
+        {"plot: a.pdf, panels: [[{field: velocity}]]", "b.pdf", true, "--colormap=grey"},
+        {"image: a.png", "b.webp", true, "--colormap=grey"},
+        {"image: a.pdf, panels: [[{field: velocity}, {field: energy}], [{field: velocity}]]", "b.pdf", true, "--colormap=grey"},
+        {"plot: a.svg", "b.svg", false, "--colormap=grey"}};
     char scene[512], run[600], file[600], text[1000];
     const char *const only = "run.h5";
     snprintf(run, sizeof run, "%s/run.h5", directory);
