@@ -71,7 +71,7 @@ static void print_validity(FILE *out, const struct bead_chain *chain)
     if (most.strike > 0)
         fprintf(out, "  strike at %.3g of the bar speed", most.strike);
     if (most.compression > 0)
-        fprintf(out, "; compression at most %.3g of the radius", most.compression);
+        fprintf(out, "%scompression at most %.3g of the radius", most.strike > 0 ? "; " : "  ", most.compression);
     if (most.pressure > 0)
         fprintf(out, ", pressure at most %.3g of the yield strength", most.pressure);
     if (most.strike > 0 || most.compression > 0)

@@ -265,6 +265,31 @@ ends = ["20 kg/s", f"{(1.5 * A ** (2 / 3) * 8 ** (1 / 3) * m) ** 0.5:.4g} kg/s",
         f"{A * (1.25 * m / A) ** 0.6 * cosines(6) / cosines(4.8):.4g} N (s/m)^1.2"]
 expected = [f"chain {name}: striker and 3 beads, 3 contacts, absorbing end of {end}\n" for name, end in zip(("given", "pressed", "loose"), ends)]
 if said != expected + ["  damping 3 N (s/m)^1 / m^0.5\n"]: raise SystemExit(str(said))'
+cat >rest.yaml <<'YAML'
+chains:
+  - {name: pressed, striker: {velocity: 0}, precompression: 20 N, wall: rigid, beads: [{bead: brass, count: 5}]}
+  - {name: springs, law: {fpu-alpha: 10, stiffness: 1e7}, beads: [{bead: brass, count: 5}]}
+simulate: {until: 1 ms}
+outputs: [{table: p.csv}]
+YAML
+ok "--info of a chain that is not struck, and of springs" exits 0 "$beadsim" --info rest.yaml
+# Two spheres of brass bear (9 F^2 / (16 R* E*^2))^(1/3) / R = .000696; the striker's contact p0 = (6 F E*^2 / (pi^3 R*^2))^(1/3), 1.48 GPa.
+sed 's/energy .*/energy/; s/^  contacts: law hertz.*/  contacts/' out >words
+ok "... has what its contacts bear, and no strike" diff words - <<'TEXT'
+rest.yaml: scene
+chain pressed: striker and 5 beads, 6 contacts, rigid wall
+  striker large-steel at 0 m/s, energy
+  5 beads of brass: radius 4.76 mm, mass 3.84 g, modulus 90.2 GPa, Poisson 0.34
+  contacts
+  precompression 20 N
+  compression at most 0.000696 of the radius, pressure at most 2.9 of the yield strength
+chain springs: striker and 5 beads, 5 contacts, free end
+  striker large-steel at 443 mm/s, energy
+  5 beads of brass: radius 4.76 mm, mass 3.84 g, modulus 90.2 GPa, Poisson 0.34
+  contacts: law fpu-alpha, coefficient 1e+07 N/m^1
+until 1 ms, accuracy 1e-06, method auto
+output 0: table p.csv
+TEXT
 ok "--info of an equation" exits 0 "$beadsim" --info kdv
 ok "... has its grid" prints "chain 0: equation kdv, 800 points from x = -12, 0.0425 apart" # 34 / 800
 ok "--info of a sweep" exits 0 "$beadsim" --info sweep/sweep.h5

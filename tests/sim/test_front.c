@@ -101,9 +101,87 @@ static void pulses_are_over_at_a_twentieth(void **state)
     }
 }
 
+/* One contact, or the two of a bead with a sensor, watched in short steps: when the pulse there is over. */
+struct watched {
+    size_t first, contacts;
+    double most, before[2], passed; /* forces of the last two times */
+};
+
+static void watch(struct watched *w, const double *force, const double *rest, double largest, double time, double step)
+{
+    double sum = 0;
+    for (size_t i = 0; i < w->contacts; i++)
+        sum += force[w->first + i] - rest[w->first + i];
+    w->most = fmax(w->most, sum);
+    if (isnan(w->passed) && w->most > 1e-3 * largest) {
+        const double level = 0.05 * w->most;
+        const bool turned = w->before[0] > w->before[1] && sum > w->before[1] && w->before[1] < 0.5 * w->most;
+        const double bend = sum - 2 * w->before[1] + w->before[0];
+        w->passed = turned        ? time - step - step * (sum - w->before[0]) / (2 * bend)
+                    : sum < level ? time - step * (level - sum) / (w->before[1] - sum)
+                                  : NAN;
+    }
+    w->before[0] = w->before[1];
+    w->before[1] = sum;
+}
+
+/* When the pulses are over at the last contact and at the bead with a sensor, if there is one. */
+static double over_by_steps(const struct built *built, size_t sensor)
+{
+    static const double step = 20e-9;
+    const size_t contacts = bead_chain_contacts(built->chain);
+    const double *rest = bead_chain_static_force(built->chain);
+    struct watched places[2] = {{contacts - 1, 1, 0, {0}, NAN}, {sensor - 1, sensor < contacts ? 2 : 1, 0, {0}, sensor ? NAN : 0}};
+    struct bead_run *run = start_run(built, (struct bead_run_settings){.end = INFINITY});
+    double largest = 0;
+    for (double time = 0; isnan(places[0].passed) || isnan(places[1].passed); time += step) {
+        run_until(run, time);
+        const double *force = sample_at(run, time).field[BEAD_FIELD_CONTACT_FORCE];
+        for (size_t k = 0; k < contacts; k++)
+            largest = fmax(largest, force[k] - rest[k]);
+        for (size_t p = 0; p < 2; p++)
+            watch(&places[p], force, rest, largest, time, step);
+    }
+    bead_run_destroy(run);
+    return fmax(places[0].passed, places[1].passed);
+}
+
+static void pulses_are_over_at_sensors_too(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *beads;
+        size_t sensor;
+    } chains[] = {
+        {"{bead: large-steel, count: 9}, {bead: ptfe, sensor: s}, {bead: small-steel, count: 2}", 10},
+        {"{cell: [large-steel, ptfe], count: 4}, {bead: large-steel, sensor: s}", 9},
+        {"{cell: [large-steel, small-steel], count: 4}, {bead: large-steel, sensor: s}, {bead: small-steel, count: 1}", 9},
+        {"{cell: [large-steel, small-steel], count: 3}, {bead: ptfe, sensor: s}, {bead: large-steel, count: 1}", 7},
+        {"{cell: [lead, small-steel], count: 3}, {bead: lead, sensor: s}, {bead: large-steel, count: 1}", 7},
+        {"{cell: [large-steel, small-steel], count: 5}", 0},
+    };
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        char text[400];
+        snprintf(text, sizeof text, "chain: {striker: {bead: large-steel, velocity: 1 m/s}, wall: rigid, beads: [%s]}\n",
+                 chains[c].beads);
+        struct built built = build(text, "accuracy: 1e-8"), rough = build(text, "accuracy: 1e-5");
+        struct bead_run *run = start_run(&rough, (struct bead_run_settings){.end = INFINITY, .passage = BEAD_PASSAGE_OF_PULSE});
+        while (isnan(bead_run_over(run))) {
+            struct bead_message msg = {""};
+            if (bead_run_step(run, &msg))
+                fail_msg("%s", msg.text);
+        }
+        assert_near(bead_run_over(run), over_by_steps(&built, chains[c].sensor), 1e-9);
+        bead_run_destroy(run);
+        release(&built);
+        release(&rough);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(fronts_arrive_when_the_last_force_rises),
-                                       cmocka_unit_test(pulses_are_over_at_a_twentieth)};
+                                       cmocka_unit_test(pulses_are_over_at_a_twentieth),
+                                       cmocka_unit_test(pulses_are_over_at_sensors_too)};
     return cmocka_run_group_tests_name("front", tests, NULL, NULL);
 }
