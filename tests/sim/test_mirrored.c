@@ -38,17 +38,21 @@ static const struct {
 };
 static const char *const simulated[] = {"accuracy: 1e-5", "accuracy: 1e-8", "method: rk4, step: 0.5 us"};
 
-/* The chain, struck at its first bead, or its mirror image, struck at its last. */
-static struct built build_chain(size_t c, bool mirrored, const char *simulate)
+/* The chain, struck at its first bead, or its mirror image, struck at its last; besides, all beads may move with a velocity. */
+static struct built build_chain(size_t c, bool mirrored, double velocity, const char *simulate)
 {
     char text[2000], with[100];
     size_t count = 0;
     while (count < BEADS_MOST && chains[c].bead[count])
         count++;
     const size_t gap = !chains[c].gap ? SIZE_MAX : mirrored ? count - chains[c].gap : chains[c].gap;
-    int used =
-        snprintf(text, sizeof text, MATERIALS "chain: {%sstriker: {bead: %s}, start: [{bead: %s, velocity: %s1 m/s}], beads: [",
-                 chains[c].keys, mirrored ? "soft" : "heavy", mirrored ? "last" : "0", mirrored ? "-" : "");
+    int used = snprintf(text, sizeof text, MATERIALS "chain: {%sstriker: {bead: %s}, start: [", chains[c].keys,
+                        mirrored ? "soft" : "heavy");
+    if (mirrored)
+        used += snprintf(text + used, sizeof text - (size_t)used, "{bead: last, velocity: -1 m/s}], beads: [");
+    else
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "{bead: 0, velocity: %g m/s}, {bead: [1, last], velocity: %g m/s}], beads: [", 1 + velocity, velocity);
     for (size_t i = 0; i < count; i++)
         used += snprintf(text + used, sizeof text - (size_t)used, "{bead: %s%s}, ", chains[c].bead[mirrored ? count - 1 - i : i],
                          i == gap ? ", gap: 2 um" : "");
@@ -102,7 +106,7 @@ static void mirror_images_do_the_same(void **)
 {
     for (size_t n = 0; n < 3 * sizeof chains / sizeof *chains; n++) {
         const struct bead_run_settings settings = {.end = 0.5e-3, .contact_peaks = true, .bead_peaks = true, .budget = true};
-        struct built here = build_chain(n / 3, false, simulated[n % 3]), there = build_chain(n / 3, true, simulated[n % 3]);
+        struct built here = build_chain(n / 3, false, 0, simulated[n % 3]), there = build_chain(n / 3, true, 0, simulated[n % 3]);
         struct bead_run *a = start_run(&here, settings), *b = start_run(&there, settings);
         const size_t beads = bead_chain_beads(here.chain);
         struct bead_outcome one, other;
@@ -128,8 +132,38 @@ static void mirror_images_do_the_same(void **)
     }
 }
 
+/* Nor is there a place or a velocity of its own: chains that move as a whole do the same. */
+static void chains_that_move_do_the_same(void **)
+{
+    static const double velocity = 0.5, end = 0.5e-3;
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct built still = build_chain(c, false, 0, "accuracy: 1e-9"), moving = build_chain(c, false, velocity, "accuracy: 1e-9");
+        struct bead_run *a = start_run(&still, (struct bead_run_settings){.end = end});
+        struct bead_run *b = start_run(&moving, (struct bead_run_settings){.end = end});
+        const size_t beads = bead_chain_beads(still.chain);
+        double worst = 0;
+        for (int i = 1; i <= TIMES && !strstr(chains[c].bead[1], "spring") && !strstr(chains[c].bead[2], "spring"); i++) {
+            const double time = i * end / TIMES;
+            run_until(a, time);
+            run_until(b, time);
+            const struct bead_sample x = sample_at(a, time), y = sample_at(b, time);
+            const double *u = x.field[BEAD_FIELD_DISPLACEMENT], *v = x.field[BEAD_FIELD_VELOCITY], *f = x.field[BEAD_FIELD_FORCE];
+            for (size_t j = 0; j < beads; j++) {
+                worst = fmax(worst, fabs(y.field[BEAD_FIELD_DISPLACEMENT][j] - velocity * time - u[j]) / largest(u, beads));
+                worst = fmax(worst, fabs(y.field[BEAD_FIELD_VELOCITY][j] - velocity - v[j]) / largest(v, beads));
+                worst = fmax(worst, fabs(y.field[BEAD_FIELD_FORCE][j] - f[j]) / largest(f, beads));
+            }
+        }
+        assert_below(worst, 1e-7); /* ten times what was measured */
+        bead_run_destroy(a);
+        bead_run_destroy(b);
+        release(&still);
+        release(&moving);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(mirror_images_do_the_same)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(mirror_images_do_the_same), cmocka_unit_test(chains_that_move_do_the_same)};
     return cmocka_run_group_tests_name("mirrored", tests, NULL, NULL);
 }
