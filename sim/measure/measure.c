@@ -11,9 +11,9 @@
 #include "sim/measure/participation.h"
 #include "sim/run/uncertainty.h"
 
-/* Errors fall at least as the power p of the spacing, so a safety factor of 5 holds if 5 (1 - each^-p) > 1. Where no dashpot acts, p is
- * above 2, as forces begin with the power 3/2 of the time. A damping force |D|^a has a branch point beside the maximum, where D changes
- * its sign: p = a - 1 there, and 8 serves down to p = .11. */
+/* Errors fall at least as the power p of the spacing, so a safety factor of 5 holds if 5 (1 - each^-p) > 1. Where no dashpot acts,
+ * p is above 2, as forces begin with the power 3/2 of the time. A damping force |D|^a has a branch point beside the maximum, where
+ * D changes its sign: p = a - 1 there, and 8 serves down to p = .11. */
 size_t bead_measures_each(const struct bead_chain *const *chains, size_t count)
 {
     bool damped = false;

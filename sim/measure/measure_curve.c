@@ -69,8 +69,7 @@ double bead_curve_integral(const struct bead_curve *curve, double from, double t
     const double centre = 0.5 * (from + to), half = 0.5 * (to - from);
     double sum = 0;
     for (size_t i = 0; i < 2; i++)
-        sum += weight[i] *
-               (bead_curve_value(curve, centre - half * node[i]) + bead_curve_value(curve, centre + half * node[i]));
+        sum += weight[i] * (bead_curve_value(curve, centre - half * node[i]) + bead_curve_value(curve, centre + half * node[i]));
     return half * sum;
 }
 

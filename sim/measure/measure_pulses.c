@@ -75,12 +75,15 @@ static void look_ahead(struct bead_pulses *p, double x)
     }
 }
 
-/* Could a maximum of about this force change the record of a contact? Most of those behind the front cannot. */
-static bool matters(const struct bead_pulses *p, size_t contact, double force)
+/* Could a maximum of about this force near row `at` change the record of a contact? Most of those behind the front cannot. */
+static bool matters(const struct bead_pulses *p, size_t contact, size_t at, double force)
 {
     const struct bead_track *track = &p->track[contact];
-    if (p->time - BEAD_CURVE_POINTS * p->spacing > p->struck)
-        return force > track->late.force;
+    const double after = (p->time - p->struck) / p->spacing - (double)(LAST - at); /* spacings after the wall was struck */
+    if (after > -1 && force > track->late.force)
+        return true;
+    if (after > 1)
+        return false;
     if (track->count == 0)
         return true;
     const struct bead_pulse *last = &track->pulse[track->count - 1];
@@ -137,7 +140,7 @@ static void look_at(struct bead_pulses *p, size_t k, size_t at)
     static const double higher = 1.1;
     const double before = p->row[at - 1][k], here = p->row[at][k], after = p->row[at < LAST ? at + 1 : LAST][k];
     p->low[k] = here < p->low[k] ? here : p->low[k];
-    if (here > before && here >= after && here > least * p->record && matters(p, k, higher * here))
+    if (here > before && here >= after && here > least * p->record && matters(p, k, at, higher * here))
         found_maximum(p, k, at);
 }
 

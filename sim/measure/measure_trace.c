@@ -8,8 +8,8 @@
 #include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 
-/* The trace begins when the probe's force exceeds this part of the largest so far. It ends this many rise times of the pulse after
- * the maximum of the cell's last contact. */
+/* The trace begins when the probe's force exceeds this part of the largest so far, that of a struck probe with the run. It ends
+ * this many rise times of the pulse after the maximum of the cell's last contact. */
 static const double begin_part = 1e-12, tail_rises = 3;
 /* A pulse rises from the first of these parts of its maximum, and ends with the first minimum below the second. */
 static const double rise_part = 1e-10, end_part = 0.05;
@@ -54,7 +54,7 @@ enum bead_error bead_trace_feed(struct bead_measures *m, const struct bead_sampl
     struct bead_trace *t = &m->trace;
     size_t probe = m->places.probe, cell = m->places.cell, contacts = trace_contacts(m);
     const double *force = sample->field[BEAD_FIELD_CONTACT_FORCE], *rest = bead_chain_static_force(m->chain);
-    if (t->count == 0 && !(force[probe] - rest[probe] > begin_part * m->pulses->record))
+    if (t->count == 0 && probe > 0 && !(force[probe] - rest[probe] > begin_part * m->pulses->record))
         return BEAD_OK;
     struct bead_pulse first = bead_pulses_first(m->pulses, probe), last = bead_pulses_first(m->pulses, probe + cell - 1);
     if (sample->time > last.time + tail_rises * (first.time - t->begin))
@@ -206,26 +206,23 @@ static double integral(const struct bead_measures *m, size_t i, quantity *of, do
     return m->trace.spacing * sum;
 }
 
-/* Largest mean of the forces in contacts probe + i and the next. */
-static double bead_force(const struct bead_measures *m, size_t i, size_t end)
+/* Mean of the forces in contact probe + i and the next. */
+static double bead_force(const struct bead_measures *m, size_t i, size_t sample)
 {
-    const struct bead_trace *t = &m->trace;
-    double sum[BEAD_CURVE_POINTS] = {0}, largest = -INFINITY;
-    bool second = i + 1 < trace_contacts(m);
-    size_t at = 0;
-    for (size_t s = 0; s < end; s++) {
-        double mean = 0.5 * (t->force[i][s] + (second ? t->force[i + 1][s] : 0));
-        at = mean > largest ? s : at;
-        largest = fmax(largest, mean);
-    }
-    if (at < BEAD_CURVE_POINTS / 2 || at + BEAD_CURVE_POINTS / 2 >= t->count)
-        return largest;
-    for (size_t s = 0; s < BEAD_CURVE_POINTS; s++) {
-        size_t from = at - BEAD_CURVE_POINTS / 2 + s;
-        sum[s] = 0.5 * (t->force[i][from] + (second ? t->force[i + 1][from] : 0));
-    }
-    bead_samples_maximum(sum, BEAD_CURVE_POINTS, &largest);
-    return largest;
+    const bool second = i + 1 < trace_contacts(m);
+    return 0.5 * (m->trace.force[i][sample] + (second ? m->trace.force[i + 1][sample] : 0));
+}
+
+/* The largest until `end`, in spacings. */
+static double largest_bead_force(const struct bead_measures *m, size_t i, double end)
+{
+    size_t at = 0, first;
+    for (size_t s = 1; (double)s <= end; s++)
+        at = bead_force(m, i, s) > bead_force(m, i, at) ? s : at;
+    const struct bead_curve curve = around(m, i, bead_force, at, &first);
+    const double low = fmax((double)at - 1, 0), high = fmin((double)at + 1, end);
+    const double x = bead_curve_maximum(&curve, low - (double)first, high - (double)first);
+    return fmax(bead_force(m, i, at), bead_curve_value(&curve, x)); /* the first where a kink is nearby */
 }
 
 static void read_contact(const struct bead_measures *m, size_t i, struct bead_pulse_found *found)
@@ -242,7 +239,7 @@ static void read_contact(const struct bead_measures *m, size_t i, struct bead_pu
     found->momentum += i == 0 ? integral(m, i, force, over) : 0;
     found->kinetic += integral(m, i, kinetic, over);
     found->potential += integral(m, i, potential, over);
-    found->bead_force = fmax(found->bead_force, bead_force(m, i, end));
+    found->bead_force = fmax(found->bead_force, largest_bead_force(m, i, over));
     if (velocity > found->velocity) {
         found->velocity = velocity;
         found->velocity_time[0] = width(t->velocity[i], end, t->spacing, 0.5);

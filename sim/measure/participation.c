@@ -11,7 +11,7 @@
 #include "sim/measure/measure_private.h"
 #include "sim/run/play.h"
 
-/* Accuracy of the clean wave, and the passage times after which it is given up. */
+/* Least accuracy of the clean wave, and the passage times after which it is given up. */
 static const double accuracy = 1e-6, patience = 100;
 
 static double compression(const struct bead_chain *chain, const double *u, size_t k)
@@ -99,11 +99,12 @@ static size_t find_cell(const struct bead_chain *chain, size_t *cell)
     return usual->cell_beads;
 }
 
-static enum bead_error participation_measure(const struct bead_chain *chain, double tolerance_factor, double *clean, struct bead_message *msg)
+static enum bead_error participation_measure(const struct bead_chain *chain, double tolerance_factor, double *clean,
+                                             struct bead_message *msg)
 {
     struct bead_simulate asked = chain->scene->simulate;
+    asked.accuracy = (asked.step > 0 ? accuracy : fmin(asked.accuracy, accuracy)) * tolerance_factor;
     asked.step = 0;
-    asked.accuracy = accuracy * tolerance_factor;
     struct bead_consumer consumer = {.needs = {.states = true}};
     const struct bead_play play = {.chains = &chain,
                                    .chain_count = 1,

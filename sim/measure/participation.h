@@ -37,7 +37,7 @@
 enum { BEAD_ORDER_BEADS = 512 };
 
 /* Participation of the clean wave of the chain's cells; NaN if there is none (the front does not get through, or does not end). It
- * is run to an accuracy of 1e-6 times `tolerance_factor`. Errors: MEMORY. */
+ * is run to the accuracy that the scene asks for, at least 1e-6, times `tolerance_factor`. Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_participation_clean(const struct bead_chain *chain, double tolerance_factor,
                                                                   double *clean, struct bead_message *msg);
 /* Participation from displacements, m, and velocities, m/s, [beads]; NaN if there is no energy. */

@@ -51,19 +51,20 @@ class Count:
         self.worst, self.ratios = 0.0, []
 
     def judge(self, error, known, said, asked):
-        """One number: False if it is a miss. Nothing where the references know too little."""
+        """One number: False if it is a miss, or says too much. Nothing where the references know too little."""
         if not known <= 0.3 * max(error, asked):
             return True
         self.numbers += 1
         if math.isnan(said):
             return True
+        much = said > 10 * max(error, asked)
         missed = error - known > max(said, asked)
         self.missed += missed
         self.worst = max(self.worst, (error - known) / max(said, asked))
-        self.much += said > 10 * max(error, asked)
+        self.much += much
         if error > max(asked, 10 * known):
             self.ratios.append(said / error)
-        return not missed
+        return not missed and not much
 
     def text(self):
         ratios = sorted(self.ratios)
@@ -149,7 +150,7 @@ def try_seed(build, seed, work, counts):
             what = name[:-4]
             count, judge = counts[what, asked], judge_measures if what == "measures" else judge_samples
             for told in judge(count, got[name], fine[0][name], fine[1][name], float(asked)):
-                print(f"    missed at {asked}: {what}: {told}")
+                print(f"    at {asked}: {what}: {told}")
     print(f"  seed {seed}, {kind[2:]}: {beads} beads{'' if got else ', not in time'}", flush=True)
     return None
 
