@@ -96,6 +96,28 @@ static void check_row(const struct bead_law *law, const struct bead_law_spec *s,
         assert_near(log2(law->force(a, s, 2 * d) / law->force(a, s, d)), law->exponent(s), 1e-12);
 }
 
+/* Derivatives of a coefficient by radii and moduli, over itself, beside differences: between spheres, at a wall, at a rigid one. */
+static void check_rates(const struct bead_law *law)
+{
+    const struct bead_law_spec spec = example_of(law);
+    static const double part = 1e-5;
+    for (int n = 0; law->coefficient_rates && n < 3; n++) {
+        struct bead_material pair[2] = {materials[STEEL], materials[LIGHT]};
+        const struct bead_material *right = n < 2 ? &pair[1] : NULL;
+        const struct bead_coefficient_rates rates = law->coefficient_rates(&pair[0], right, n > 0);
+        for (int i = 0; i < 4; i++) {
+            double *value = i < 2 ? &pair[i].radius : &pair[i - 2].modulus, is = *value, found[2];
+            for (int k = 0; k < 2; k++) {
+                *value = is * (k ? 1 + part : 1 - part);
+                found[k] = law->coefficient(&spec, &pair[0], right, n > 0);
+            }
+            *value = is;
+            const double rate = i < 2 ? rates.radius[i] : rates.modulus[i - 2];
+            assert_near(is * rate, log(found[1] / found[0]) / (2 * part), 1e-9);
+        }
+    }
+}
+
 static void rows_agree_with_themselves(void **state)
 {
     (void)state;
@@ -105,6 +127,7 @@ static void rows_agree_with_themselves(void **state)
         const double a = law->coefficient(&spec, &materials[STEEL], &materials[ALUMINIUM], false);
         assert_true(a > 0 && isfinite(a));
         check_row(law, &spec, a);
+        check_rates(law);
     }
     /* Where the examples are weak at a compression as small as that of the check. */
     static const char *const stronger[] = {"power", "fpu-alpha"};

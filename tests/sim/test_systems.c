@@ -126,6 +126,42 @@ static void strings_have_their_energies(void **state)
     }
 }
 
+/* Springs of a string that starts with a pulse, however narrow, have its strain in their middle, less what the ends, or the ring,
+ * take back of all; also the last. */
+static void pulses_are_the_strains_asked_for(void **state)
+{
+    (void)state;
+    enum { N = 11 };
+    static const struct bead_system *const fput = &bead_system_fput;
+    for (int n = 0; n < 4; n++) {
+        const bool ring = n % 2;
+        const size_t springs = ring ? N : N + 1;
+        const struct bead_equation_spec spec = {.points = N,
+                                                .ends = ring ? BEAD_ENDS_PERIODIC : BEAD_ENDS_FIXED,
+                                                .alpha = 0.25,
+                                                .start = BEAD_START_PULSE,
+                                                .amplitude = 0.1,
+                                                .width = n < 2 ? 0.3 : 2,
+                                                .at = 4.3};
+        struct bead_motion *motion = start_motion(fput, &spec, 1e-10, 0, 1);
+        double *u = field_at(fput, motion, N, 0, BEAD_FIELD_DISPLACEMENT), asked[N + 1], mean = 0;
+        for (size_t k = 0; k < springs; k++) { /* left of mass k, which a ring begins with, and a wall has at 1 */
+            asked[k] = 0;
+            for (int image = -1; image <= 1; image++) {
+                const double x = ((double)k - 0.5 + (ring ? 0 : 1) - spec.at + image * N) / spec.width;
+                asked[k] += ring || image == 0 ? 0.1 / (cosh(x) * cosh(x)) : 0;
+            }
+            mean += asked[k] / (double)springs;
+        }
+        for (size_t k = 0; k < springs; k++) {
+            const double left = k > 0 ? u[k - 1] : ring ? u[N - 1] : 0, right = k < N ? u[k] : 0;
+            assert_near(right - left, asked[k] - mean, 1e-15);
+        }
+        fput->equation->destroy(motion);
+        free(u);
+    }
+}
+
 /* Of a smooth wave: the energy of each cell is v^2/2 + c^2 (r^2/2 + epsilon r^3/6), their sum that of the start, and the strain is
  * the slope of the displacement. */
 static void waves_have_their_energies(void **state)
@@ -202,11 +238,9 @@ static void extrema_of_steps_are_those_of_cubics(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(extrema_of_steps_are_those_of_cubics),
-        cmocka_unit_test(rows_are_whole),
-        cmocka_unit_test(rows_that_are_not_are_refused),
-        cmocka_unit_test(strings_have_their_energies),
-        cmocka_unit_test(waves_have_their_energies),
+        cmocka_unit_test(extrema_of_steps_are_those_of_cubics), cmocka_unit_test(rows_are_whole),
+        cmocka_unit_test(rows_that_are_not_are_refused),        cmocka_unit_test(strings_have_their_energies),
+        cmocka_unit_test(pulses_are_the_strains_asked_for),     cmocka_unit_test(waves_have_their_energies),
         cmocka_unit_test(shown_cells_have_their_means),
     };
     return cmocka_run_group_tests_name("systems", tests, NULL, NULL);
