@@ -182,7 +182,8 @@ static void strobes_have_their_own_samples(void **state)
         prepared("simulate: {until: 1000}\nchain: {equation: fput, points: 31, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
                  "outputs: [{movie: film.mp4, views: [profile], strobe: 64, duration: 5 s}]\n",
                  1000, NULL, &scene, &chain);
-    assert_true(film.times.grid.every == 64 && film.times.grid.start == 0 && film.times.grid.end >= 1000 - 64);
+    assert_true(film.times.grid.every == 64 && film.times.grid.start == 0 && film.times.grid.end >= 1000 - 64 &&
+                !film.times.grid.widens);
     assert_int_equal(film.times.frames, 300);
     bead_chain_destroy(chain);
     bead_scene_free(scene);
@@ -238,7 +239,8 @@ static void assert_stored(const struct bead_movie_times *t, const struct bead_gr
 {
     const struct bead_grid *g = &t->grid;
     const double every = native->every, slack = 1e-3 * every, end = native->end;
-    assert_true(g->every == every && is_whole((g->start - native->start) / every) && is_whole((g->end - native->start) / every));
+    assert_true(g->every == every && !g->widens && is_whole((g->start - native->start) / every) &&
+                is_whole((g->end - native->start) / every));
     assert_true(g->start >= native->start && g->start <= fmax(t->time[0], native->start) + slack);
     assert_true(g->start > t->time[0] - every + slack || fabs(g->start - native->start) < slack);
     assert_true(g->end <= end + slack && g->end >= fmin(t->time[1], end) - slack && g->end < t->time[1] + every - slack);
@@ -249,7 +251,7 @@ static void assert_computed(const struct bead_film *film, bool finely)
 {
     const struct bead_movie_times *t = &film->times;
     const double parts = t->step / t->grid.every, most = film->context.resolution;
-    assert_true(t->grid.start == t->time[0] && t->grid.end == t->time[1] && is_whole(parts));
+    assert_true(t->grid.start == t->time[0] && t->grid.end == t->time[1] && !t->grid.widens && is_whole(parts));
     assert_true(finely ? t->grid.every < most * (1 + 1e-6) && (parts < 1.5 || t->step / (parts - 1) > most * (1 - 1e-6))
                        : parts < 1.5);
 }
