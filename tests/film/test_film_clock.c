@@ -69,6 +69,27 @@ static void speeds_are_those_of_the_motion(void **state)
     assert_true(fabs((double)standing - 1.5 / bead_film_length(&clock) * 200) < 1.5);
 }
 
+/* The least and the greatest factor, of films of seconds, too. */
+static void factors_are_those_asked_for(void **state)
+{
+    (void)state;
+    const double lasting[2] = {1, 9};
+    struct bead_speed speeds[] = {{0, 0.25}, {3, 0.5}, {6, 0.125}, {8, 0.25}};
+    for (size_t count = 1; count <= 4; count++) {
+        struct bead_film_clock clock;
+        double factors[2], least = INFINITY, most = 0;
+        struct bead_movie_asked movie = {.duration = 10, .speeds = speeds, .speed_count = count};
+        bead_film_clock_make(&movie, lasting, movie.duration, &clock);
+        bead_film_factors(&clock, factors);
+        for (double motion = 1; motion <= 9; motion += 0.25) {
+            least = fmin(least, bead_film_factor(&clock, motion));
+            most = fmax(most, bead_film_factor(&clock, motion));
+        }
+        assert_float_equal(factors[0], least, 1e-12);
+        assert_float_equal(factors[1], most, 1e-12);
+    }
+}
+
 /* A pause adds to the film; what begins there lasts beyond it. */
 static void the_motion_stands_in_a_pause(void **state)
 {
@@ -96,6 +117,7 @@ int main(void)
         cmocka_unit_test(even_time_has_no_pieces),
         cmocka_unit_test(the_curve_is_integrated),
         cmocka_unit_test(speeds_are_those_of_the_motion),
+        cmocka_unit_test(factors_are_those_asked_for),
         cmocka_unit_test(the_motion_stands_in_a_pause),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

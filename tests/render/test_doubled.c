@@ -210,6 +210,35 @@ static void times_have_the_digits_they_need(void **)
     }
 }
 
+/* So have magnetisms, all as many, and none where they are whole. */
+static void magnetisms_have_the_digits_they_need(void **)
+{
+    static const struct {
+        const char *magnetism;
+        size_t decimals;
+    } plots[] = {{"0, 1", 0}, {"0, 0.5", 1}, {"0, 0.75", 2}};
+    for (size_t i = 0; i < sizeof plots / sizeof *plots; i++) {
+        char text[300];
+        size_t said = 0;
+        snprintf(text, sizeof text,
+                 "sweep: {cells: 8, magnetism: [%s], configurations: 2, measure: {decay: true}}\n"
+                 "outputs: [{plot: a.pdf, show: decay}]\n",
+                 plots[i].magnetism);
+        drawn_run(text, &drawn[0]);
+        for (size_t j = 0; j < drawn[0].texts; j++) {
+            static const char equals[] = "M\u00a0=\u00a0";
+            const char *number = drawn[0].text[j].text + strlen(equals);
+            if (strncmp(drawn[0].text[j].text, equals, strlen(equals)) != 0)
+                continue;
+            const size_t whole = strspn(number, "0123456789"), point = number[whole] == '.';
+            if (point + strspn(number + whole + point, "0123456789") != (plots[i].decimals ? 1 + plots[i].decimals : 0))
+                fail_msg("'%s' among %s", drawn[0].text[j].text, plots[i].magnetism);
+            said++;
+        }
+        assert_true(said > 1);
+    }
+}
+
 /* Stacks of energy have the parts that are there: no gravity without a slope, no springs without any. */
 static void stacks_have_what_there_is(void **)
 {
@@ -330,6 +359,39 @@ static void ranges_are_those_asked_for(void **)
                     fail_msg("%s, range %zu: from %g to %g", plots[i].plot, k, ends[0], ends[1]);
             }
         }
+    }
+}
+
+/* Bars are level with their images, with the points at their ends, where values are beyond them. */
+static void bars_are_level_with_images(void **)
+{
+    static const struct {
+        const char *image;
+        size_t points; /* of the outline */
+    } images[] = {{"field: force", 4}, {"field: force, range: [auto, 20]", 5}, {"field: velocity, range: [-0.05, 0.05]", 6}};
+    for (size_t i = 0; i < sizeof images / sizeof *images; i++) {
+        char text[500];
+        size_t bars = 0;
+        snprintf(text, sizeof text,
+                 "chain: {" STRIKER "beads: [{bead: large-steel, count: 14}], wall: brass}\nsimulate: {until: 0.3 ms}\n"
+                 "outputs: [{image: a.pdf, %s, style: paper, size: [140 mm, 90 mm], dpi: 381}]\n",
+                 images[i].image);
+        drawn_run(text, &drawn[0]);
+        const struct stroke *frame = NULL;
+        for (size_t j = 0; j < strokes.count && !frame; j++)
+            frame = is_on_page(j, 0) && is_frame(&strokes.list[j]) ? &strokes.list[j] : NULL;
+        assert_non_null(frame);
+        for (size_t j = 0; j < strokes.count; j++) {
+            const struct stroke *s = &strokes.list[j];
+            if (!is_on_page(j, 0) || s->filled || s->low[0] < frame->high[0] || s->high[0] - s->low[0] < 3 || s->count < 4 ||
+                s->begun > 1)
+                continue;
+            if (fabs(s->low[1] - frame->low[1]) > 1 || fabs(s->high[1] - frame->high[1]) > 1 || s->count < images[i].points)
+                fail_msg("%s: a bar of %zu points from %g to %g beside an image from %g to %g", images[i].image, s->count,
+                         s->low[1], s->high[1], frame->low[1], frame->high[1]);
+            bars++;
+        }
+        assert_int_equal(bars, 1);
     }
 }
 
@@ -513,9 +575,11 @@ int main(void)
         cmocka_unit_test(equal_axes_are_labelled_once),
         cmocka_unit_test(stacks_have_what_there_is),
         cmocka_unit_test(times_have_the_digits_they_need),
+        cmocka_unit_test(magnetisms_have_the_digits_they_need),
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
         cmocka_unit_test(power_laws_have_their_exponents),
+        cmocka_unit_test(bars_are_level_with_images),
         cmocka_unit_test(images_show_their_time),
         cmocka_unit_test(each_configuration_has_a_point),
         cmocka_unit_test(bare_plots_fill_the_page),
