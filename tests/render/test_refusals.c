@@ -32,7 +32,6 @@ static const struct {
     {two, "image: a.png, beads: [8, 9], field: contact-force", "beads: begin at 8, but the chain has 5 contacts"},
     {two, "image: a.png, beads: [6, 10]", "beads: begin at 6, but the chain has 6 beads"},
     {two, "image: a.png, beads: [5, 9], field: contact-force", "beads: begin at 5, but the chain has 5 contacts"},
-    {two, "movie: a.mp4, beads: [11, 12]", "beads: no chain has so many beads"},
     {two, "image: a.png, axes: false, size: [40, 1]", "size: fewer rows (or columns) of pixels than chains"},
     {two, "image: a.png, axes: false, beads: [8, 10]", "beads: begin beyond the end of the chain"},
     {whole, "image: a.png, axes: false, time: [1 ms, auto]", "time: there is nothing to show; the run ends before"},
