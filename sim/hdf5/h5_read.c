@@ -55,6 +55,8 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
         return -1;
     }
     BEAD_H5_AUTO access = bead_h5_access(kind == H5I_GROUP ? H5P_GROUP_ACCESS : H5P_DATASET_ACCESS);
+    if (kind == H5I_DATASET)
+        H5Pset_chunk_cache(access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT); /* chunks are read straight into the caller's memory */
     hid_t object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
     if (object < 0)
         bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind, name,
@@ -289,21 +291,6 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
     return text;
 }
 
-/* Without HDF5's cache, uncompressed chunks are read straight into the caller's memory. */
-static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
-{
-    BEAD_H5_AUTO layout = H5Dget_create_plist(dataset);
-    BEAD_H5_AUTO access = bead_h5_access(H5P_DATASET_ACCESS);
-    if (H5Pget_layout(layout) != H5D_CHUNKED || H5Pget_nfilters(layout) != 0 ||
-        H5Pset_chunk_cache(access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT) < 0)
-        return dataset;
-    bead_h5_release(&dataset);
-    dataset = H5Dopen2(h5->file, name, access);
-    if (dataset < 0)
-        bead_h5_fail(h5, true, "%s cannot be opened", name);
-    return dataset;
-}
-
 hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, size_t components, size_t *rows)
 {
     if (h5->error)
@@ -315,7 +302,7 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
         return identifier(h5, answer);
     }
     BEAD_H5_QUIET;
-    hid_t series = without_cache(h5, name, open_dataset(h5, name));
+    hid_t series = open_dataset(h5, name);
     if (series < 0)
         return -1;
     BEAD_H5_AUTO type = H5Dget_type(series);
