@@ -118,7 +118,7 @@ static enum bead_error png_encode(struct writer *w, const struct image *image, F
         return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
-    w->row = malloc(4 * (size_t)image->width + 1);
+    w->row = malloc(4 * (size_t)image->width);
     if (!w->info || !w->row)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
     png_set_write_fn(w->png, file, on_write, NULL);
