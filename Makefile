@@ -303,8 +303,8 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT) $(prelu
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
 with_test_drawn_allocations = $(with_test_allocations)
 with_test_markup = tests/torture/fail_alloc.c -fno-builtin
-# Its locks fail where it says so.
-with_test_files = -Wl,--wrap=flock
+# Its locks fail where it says so, and what it waits for happens meanwhile.
+with_test_files = -Wl,--wrap=flock -Wl,--wrap=nanosleep
 # Of the command line, which is in no library, by a clock and a terminal that it sets.
 with_test_progress = $(BUILD)/sim/cli/command_progress.o -Wl,--wrap=clock_gettime -Wl,--wrap=isatty
 $(BUILD)/tests/test_progress: $(BUILD)/sim/cli/command_progress.o

@@ -8,10 +8,12 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
+#include "sim/hdf5/h5_private.h"
 #include "support.h"
 
 #include "scratch.h"
@@ -269,6 +271,45 @@ static void assets_are_where_the_environment_says(void **state)
     free(too_long);
 }
 
+static int unfinished = -1, waited;
+
+/* Whoever waits finds that the head has been written meanwhile. */
+int __wrap_nanosleep(const struct timespec *, struct timespec *);
+int __wrap_nanosleep(const struct timespec *, struct timespec *)
+{
+    assert_int_equal(pwrite(unfinished, "\211HDF\r\n\032\n", 8, 0), 8);
+    waited++;
+    return 0;
+}
+
+/* A run begins its file with a head of zeros: readers wait for the other, if the file is new; that of a killed run has none. */
+static void readers_wait_for_the_head_of_a_new_file(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *begins;
+        time_t age;
+        int waited;
+    } files[] = {{"a.h5.part", "\0\0\0\0\0\0\0\0", 0, 1},
+                 {"b.h5.part", "\0\0\0\0\0\0\0\0", 60, 0},
+                 {"c.h5.part", "\211HDF\r\n\032\n", 0, 0},
+                 {"d.h5", "\0\0\0\0\0\0\0\0", 0, 0}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char path[PATH_MAX];
+        in_directory(files[i].name, path);
+        unfinished = open(path, O_RDWR | O_CREAT | O_TRUNC, 0666);
+        assert_int_equal(write(unfinished, files[i].begins, 8), 8);
+        const struct timespec then = {.tv_sec = time(NULL) - files[i].age};
+        futimens(unfinished, (const struct timespec[]){then, then});
+        waited = 0;
+        const int file = bead_h5_look(path);
+        assert_true(file >= 0);
+        assert_int_equal(waited, files[i].waited);
+        close(file);
+        close(unfinished);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -280,6 +321,7 @@ int main(void)
         cmocka_unit_test(claims_hold_without_locks),
         cmocka_unit_test(the_claim_of_a_killed_run_is_taken_over_by_one),
         cmocka_unit_test(a_claim_of_another_machine_is_left_alone),
+        cmocka_unit_test(readers_wait_for_the_head_of_a_new_file),
         cmocka_unit_test(assets_are_where_the_environment_says),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

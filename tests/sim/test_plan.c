@@ -368,12 +368,33 @@ static void samples_are_shared_where_they_suffice(void **)
     }
 }
 
+/* More numbers than are transformed at once, of few samples of many curves or of many samples of few, are counted and refused. */
+static void spectra_of_too_many_numbers_are_refused(void **)
+{
+    static const char *const outputs[] = {"beads: [1, 2, 3, 4], every: 50 ns", "beads: [1], every: 10 ns"};
+    static const char *const says[] = {"gives 20000001 samples of 4 curves; at most 67108864 numbers",
+                                       "gives 100000001 samples of 1 curves; at most 67108864 numbers"};
+    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), NULL};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        char path[512], text[400];
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        snprintf(text, sizeof text, BEADS "simulate: {until: 1 s}\noutputs: [{table: 0.csv, show: spectrum, %s}]\n", outputs[i]);
+        write_scene(text, path);
+        struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .threads = 1, .sinks = sinks};
+        assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_SCENE);
+        if (!strstr(msg.text, says[i]))
+            fail_msg("%s", msg.text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(runs_are_as_planned),
                                        cmocka_unit_test(stored_runs_show_what_they_hold),
                                        cmocka_unit_test(samples_are_shared_where_they_suffice),
                                        cmocka_unit_test(frames_are_of_films),
+                                       cmocka_unit_test(spectra_of_too_many_numbers_are_refused),
                                        cmocka_unit_test(files_are_made_like_those_of_the_scene),
                                        cmocka_unit_test(pictures_of_sweeps_are_looked_at_first)};
     return cmocka_run_group_tests_name("plan", tests, make_directory, remove_directory);

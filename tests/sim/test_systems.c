@@ -2,6 +2,8 @@
 /* The table of systems: every row is complete and its traits agree with each other; the fields of equations agree, too. */
 #include "tests/motions.h"
 
+#include "beadreel/law.h"
+
 static bool moves(const struct bead_equation *e)
 {
     return e->check && e->create && e->destroy && e->pace && e->time && e->step && e->sample && e->evaluations && e->state &&
@@ -45,6 +47,25 @@ static void check_fields(const struct bead_system *system)
         known |= BEAD_FIELD_BIT(*field);
     }
     assert_int_equal(system->mode_fields & ~known, 0);
+}
+
+/* Motion has two directions, forces and energies one sign; a compression, too, where contacts open. */
+static void signs_are_those_of_fields(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *law;
+        enum bead_field field;
+        bool is;
+    } cases[] = {{"hertz", BEAD_FIELD_VELOCITY, true},     {"hertz", BEAD_FIELD_DISPLACEMENT, true},
+                 {"hertz", BEAD_FIELD_FORCE, false},       {"hertz", BEAD_FIELD_CONTACT_FORCE, false},
+                 {"hertz", BEAD_FIELD_COMPRESSION, false}, {"hertz", BEAD_FIELD_ENERGY, false},
+                 {"power", BEAD_FIELD_COMPRESSION, false}, {"fpu-alpha", BEAD_FIELD_COMPRESSION, true},
+                 {"fpu-alpha", BEAD_FIELD_ENERGY, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct bead_chain_spec spec = {.system = &bead_system_beads, .law = {.row = bead_law_find(cases[i].law)}};
+        assert_int_equal(spec.system->field_signed(&spec, cases[i].field), cases[i].is);
+    }
 }
 
 static void rows_are_whole(void **state)
@@ -238,9 +259,13 @@ static void extrema_of_steps_are_those_of_cubics(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(extrema_of_steps_are_those_of_cubics), cmocka_unit_test(rows_are_whole),
-        cmocka_unit_test(rows_that_are_not_are_refused),        cmocka_unit_test(strings_have_their_energies),
-        cmocka_unit_test(pulses_are_the_strains_asked_for),     cmocka_unit_test(waves_have_their_energies),
+        cmocka_unit_test(extrema_of_steps_are_those_of_cubics),
+        cmocka_unit_test(rows_are_whole),
+        cmocka_unit_test(signs_are_those_of_fields),
+        cmocka_unit_test(rows_that_are_not_are_refused),
+        cmocka_unit_test(strings_have_their_energies),
+        cmocka_unit_test(pulses_are_the_strains_asked_for),
+        cmocka_unit_test(waves_have_their_energies),
         cmocka_unit_test(shown_cells_have_their_means),
     };
     return cmocka_run_group_tests_name("systems", tests, NULL, NULL);
