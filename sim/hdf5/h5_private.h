@@ -25,8 +25,8 @@ void bead_h5_release(hid_t *id);
 
 /* HDF5 prints nothing until the end of the block. `unused`, because clang ignores the use by the cleanup. */
 #define BEAD_H5_QUIET __attribute__((cleanup(bead_h5_quiet_end), unused)) struct bead_h5_quiet quiet_guard = bead_h5_quiet_begin()
-/* An identifier of any kind, closed at the end of the block. Those below 0, of what could not be made, need no check of their own: each
- * call of HDF5 that is given one fails. */
+/* An identifier of any kind, closed at the end of the block. Those below 0, of what could not be made, need no check of their own:
+ * each call of HDF5 that is given one fails. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 
 /* Reports a failed system call that left `error` in errno. `done`: "read" or "written". */

@@ -135,4 +135,7 @@ ok "... every list" diff <(offers "$beadreel" --list '' | sort) <(listed | sort)
 ok "... values behind =" test "$(offers "$beadsim" --progress=pl)" = --progress=plain
 ok "... scenes" bash -c "grep -qx kdv <<<'$(offers "$beadreel" kd)'"
 ok "... that beadsim does not draw" test -z "$(offers "$beadsim" --canvas '' | grep osmesa)"
+printf '%s\n' 'chain: {striker: {velocity: 0.1}, beads: [{bead: brass, count: 4}]}' 'outputs: [{table: p.csv}]' >"$T/quiet.yaml"
+ok "progress in JSON" eval '"$beadsim" "$T/quiet.yaml" -o "$T/quiet" --progress json >"$T/out" 2>"$T/err" && grep -q "^{\"what\"" "$T/err"'
+ok "... none with --quiet behind it" eval '"$beadsim" "$T/quiet.yaml" -o "$T/quiet" --progress json -q >"$T/out" 2>"$T/err" && test ! -s "$T/err"'
 finish
