@@ -119,6 +119,10 @@ static void times_of_any_film(void **state)
                  "outputs: [{movie: film.mp4, %s%s%s, fps: %d, time: [%s, %s]}]\n",
                  speeds[i % 4], i % 4 < 2 ? "duration: 1 s, " : "", films[i / 4 % 4].keys, 10 + (int)any(0, 50), time[0], time[1]);
         const struct bead_film film = prepared(text, native.end, i % 3 ? &native : NULL, &scene, &chain);
+        struct bead_needs needs;
+        bead_film_needs(&film, "a film", &needs);
+        assert_true(needs.beads.first == 0 && needs.beads.last == bead_chain_beads(chain) - 1);
+        assert_true(needs.until == film.times.time[1] && memcmp(&needs.grid, &film.times.grid, sizeof needs.grid) == 0);
         if (i % 3)
             assert_stored(&film.times, &native);
         else
