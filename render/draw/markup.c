@@ -261,7 +261,7 @@ static const char *put_math(struct writer *w, const char *text, const char *end)
 static const char *dollar(const char *text, const char *end)
 {
     for (const char *c = text; c < end && *text != ' '; c++) {
-        if (*c == '\\' && c + 1 < end)
+        if (*c == '\\')
             c++;
         else if (*c == '$' && c > text && c[-1] != ' ')
             return c;

@@ -305,7 +305,7 @@ static inline void margins_are_kept(const struct drawn *d, size_t page, double w
 }
 
 /* All but margins, whose bounds are those of some pages. */
-static void page_laws_inside(const struct drawn *d, double width, double height)
+static inline void page_laws_inside(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
     triangles_are_even();
