@@ -65,7 +65,7 @@ static double arcsine(double s)
 bool bead_compacton_find(const struct bead_chain *chain, const double *forces, size_t count, struct bead_compacton *found)
 {
     size_t top = 1;
-    for (size_t i = 1; i + 1 < count; i++)
+    for (size_t i = 2; i + 1 < count; i++)
         top = forces[i] > forces[top] ? i : top;
     if (count < 3 || !(forces[top] > 0) || !(forces[top - 1] > 0) || !(forces[top + 1] > 0))
         return false;

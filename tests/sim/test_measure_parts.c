@@ -264,11 +264,24 @@ static void a_pulse_is_what_it_was_made_of(void **state)
     }
 }
 
+/* A measure is as uncertain as that of the same name in the check run differs; of one that is not there nothing is known. */
+static void measures_are_checked_by_name(void **state)
+{
+    (void)state;
+    const struct bead_measure checks[] = {{.name = "a", .value = 1}, {.name = "b", .value = 2.5}, {.name = "c", .value = 3}};
+    const struct bead_measure measures[] = {{.name = "b", .value = 2}, {.name = "c", .value = 3}, {.name = "d", .value = 4}};
+    const double known = bead_measure_uncertainty(&measures[0], checks, 2);
+    assert_true(known >= 0.5 && known < 10);
+    assert_near(bead_measure_uncertainty(&measures[1], checks, 3), 0, 1e-12);
+    assert_true(isnan(bead_measure_uncertainty(&measures[1], checks, 2)));
+    assert_true(isnan(bead_measure_uncertainty(&measures[2], checks, 3)));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_tail_ends_with_the_chain), cmocka_unit_test(tails_are_long_enough),
-                                       cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
-                                       cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum),
-                                       cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_tail_ends_with_the_chain),    cmocka_unit_test(tails_are_long_enough),
+        cmocka_unit_test(measures_are_checked_by_name),    cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
+        cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum), cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
     return cmocka_run_group_tests_name("measure_parts", tests, NULL, NULL);
 }

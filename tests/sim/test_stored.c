@@ -284,6 +284,33 @@ static void two_runs_are_those_alone(void **)
     }
 }
 
+/* The file for ParaView beside a trajectory is a tree of tags: each is closed, in order, and there is a grid for each time. */
+static void files_beside_are_trees(void **)
+{
+    static char bytes[BYTES_MOST];
+    char open[16][32];
+    size_t depth = 0, grids = 0, deepest = 0;
+    play(DAMPED, "every: 20 us, fields: all, xdmf: true", (const char *const[]){NULL}, "all");
+    read_file("all", "run.xdmf", bytes);
+    for (const char *at = bytes; (at = strchr(at, '<')); at++) {
+        const char *const end = strchr(at, '>');
+        const size_t length = strcspn(at + 1, " >/");
+        assert_non_null(end);
+        if (at[1] == '?' || at[1] == '!')
+            continue;
+        if (at[1] == '/') {
+            assert_true(depth > 0 && strncmp(at + 2, open[depth - 1], strlen(open[depth - 1])) == 0);
+            assert_true(at + 2 + strlen(open[--depth]) == end);
+        } else if (end[-1] != '/') {
+            assert_true(depth < 16 && length < sizeof open[0]);
+            snprintf(open[depth++], sizeof open[0], "%.*s", (int)length, at + 1);
+            grids += strncmp(at, "<Grid Name=\"beads\"", 18) == 0;
+            deepest = depth > deepest ? depth : deepest;
+        }
+    }
+    assert_true(depth == 0 && deepest == 7 && grids == 7);
+}
+
 static int remove_folders(void **state)
 {
     char path[600];
@@ -297,6 +324,6 @@ static int remove_folders(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(stored_runs_say_the_same), cmocka_unit_test(parts_are_in_the_whole),
-                                       cmocka_unit_test(two_runs_are_those_alone)};
+                                       cmocka_unit_test(two_runs_are_those_alone), cmocka_unit_test(files_beside_are_trees)};
     return cmocka_run_group_tests_name("stored", tests, make_directory, remove_folders);
 }
