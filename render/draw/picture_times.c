@@ -23,11 +23,12 @@ struct bead_grid bead_picture_grid(const struct bead_run_context *context, const
     if (native->every > 0) { /* from the sample before the beginning to the one after the end */
         double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
         double last = ceil((time[1] - native->start) / native->every - 1e-6);
-        return (struct bead_grid){native->start + first * native->every, native->every,
-                                  fmin(native->end, native->start + last * native->every), false};
+        return (struct bead_grid){.start = native->start + first * native->every,
+                                  .every = native->every,
+                                  .end = fmin(native->end, native->start + last * native->every)};
     }
     double pixel = (time[1] - time[0]) / pixels, resolution = context->resolution;
     double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
     double every = shown->every > 0 ? shown->every : pixel / fmax(2, parts);
-    return (struct bead_grid){time[0], every > 0 ? every : 1, time[1], false};
+    return (struct bead_grid){.start = time[0], .every = every > 0 ? every : 1, .end = time[1]};
 }

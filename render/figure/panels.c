@@ -64,7 +64,7 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
  * its times. */
 static void join_grids(struct bead_still *s)
 {
-    struct bead_grid all = {INFINITY, INFINITY, -INFINITY, false};
+    struct bead_grid all = {.start = INFINITY, .every = INFINITY, .end = -INFINITY};
     bool profiles = false;
     size_t grids = 0;
     for (size_t p = 0; p < s->count; p++) {
@@ -75,12 +75,13 @@ static void join_grids(struct bead_still *s)
         all.every = fmin(all.every, grid->every);
         all.end = fmax(all.end, grid->end);
         all.widens = grid->widens && (grids == 0 || all.widens);
-        grids++;
+        all.times = grids++ == 0 ? grid->times : NULL;
+        all.count = grid->count;
         profiles = profiles || (s->panels[p].plot && s->panels[p].output->curves.show == BEAD_SHOW_PROFILES);
     }
     if (profiles && grids > 1 && s->context.resolution > 0 && !(s->context.native.every > 0))
         all.every = fmin(all.every, s->context.resolution / 8);
-    s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0, false};
+    s->grid = all.end >= all.start ? all : (struct bead_grid){.every = 0};
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
             s->panels[p].figure->grid = s->grid;

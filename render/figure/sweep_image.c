@@ -121,7 +121,7 @@ static enum bead_error open_drawing(const struct ensemble *e, const struct bead_
     d->context.chains = &d->chain;
     d->context.chain_count = 1;
     d->context.end = e->end;
-    d->context.native = (struct bead_grid){0, e->end / TIMES, e->end, false};
+    d->context.native = (struct bead_grid){.every = e->end / TIMES, .end = e->end};
     d->context.resolution = e->end / TIMES;
     d->context.directory = ".";
     d->context.sweep = NULL;

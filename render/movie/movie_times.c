@@ -110,18 +110,20 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
     if (native->every > 0) {
         double first = fmax(0, floor((t->time[0] - native->start) / native->every + 1e-6));
         double beyond = ceil((t->time[1] - native->start) / native->every - 1e-6);
-        t->grid = (struct bead_grid){native->start + first * native->every, native->every,
-                                     fmin(native->end, native->start + beyond * native->every), false};
+        t->grid = (struct bead_grid){.start = native->start + first * native->every,
+                                     .every = native->every,
+                                     .end = fmin(native->end, native->start + beyond * native->every)};
     } else if (o->movie.strobe > 0) {
         t->grid =
-            (struct bead_grid){t->time[0], o->movie.strobe,
-                               t->time[0] + ceil((t->time[1] - t->time[0]) / o->movie.strobe - 1e-9) * o->movie.strobe, false};
+            (struct bead_grid){.start = t->time[0],
+                               .every = o->movie.strobe,
+                               .end = t->time[0] + ceil((t->time[1] - t->time[0]) / o->movie.strobe - 1e-9) * o->movie.strobe};
         t->grid.end = fmin(t->grid.end, context->end);
     } else {
         const bool all = bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF;
         const double spacing = all ? context->resolution : held ? bead_held_spacing(context->resolution) : 0;
         const double finer = spacing > 0 ? ceil(t->step / spacing - 1e-9) : 1;
-        t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1], false};
+        t->grid = (struct bead_grid){.start = t->time[0], .every = t->step / fmax(1, finer), .end = t->time[1]};
     }
     t->held = held && t->grid.every < t->step * (1 - 1e-9);
     double samples = (t->grid.end - t->grid.start) / t->grid.every;

@@ -78,10 +78,11 @@ static double bytes_a_sample(const struct bead_sink *s)
 static struct bead_grid grid_of(const struct bead_grid *native, const double time[2], double every)
 {
     if (!(native->every > 0))
-        return (struct bead_grid){time[0], every, time[1], false};
+        return (struct bead_grid){.start = time[0], .every = every, .end = time[1]};
     double first = fmax(0, ceil((time[0] - native->start) / native->every - 1e-6));
-    return (struct bead_grid){native->start + first * native->every, native->every * fmax(1, ceil(every / native->every - 1e-6)),
-                              fmin(time[1], native->end), false};
+    return (struct bead_grid){.start = native->start + first * native->every,
+                              .every = native->every * fmax(1, ceil(every / native->every - 1e-6)),
+                              .end = fmin(time[1], native->end)};
 }
 
 /* Chooses the samples that the scene asks for, else as many as fit, but at least a few. */
@@ -162,7 +163,7 @@ static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = 0,
                                  .beads = s->output->shown.beads,
-                                 .grid = {s->grid.start, s->grid.every / (double)s->stride, s->grid.end, false},
+                                 .grid = {.start = s->grid.start, .every = s->grid.every / (double)s->stride, .end = s->grid.end},
                                  .contact_peaks = s->peaks,
                                  .uncertainty = s->peaks,
                                  .until = s->peaks ? INFINITY : s->grid.end,

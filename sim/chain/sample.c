@@ -34,8 +34,8 @@ static double widened(size_t index)
 
 size_t bead_grid_count(const struct bead_grid *grid)
 {
-    if (!(grid->every > 0) || !(grid->end >= grid->start))
-        return 0;
+    if (grid->times || !(grid->every > 0) || !(grid->end >= grid->start))
+        return grid->times ? grid->count : 0;
     const double length = (grid->end - grid->start) / grid->every, last = floor(length + slack);
     if (grid->widens && isfinite(length)) {
         size_t before = 0;
@@ -48,6 +48,8 @@ size_t bead_grid_count(const struct bead_grid *grid)
 
 double bead_grid_time(const struct bead_grid *grid, size_t index)
 {
+    if (grid->times)
+        return grid->times[index];
     const double time = grid->start + (grid->widens ? widened(index) : (double)index) * grid->every;
     return grid->widens && !(time < grid->end - slack * grid->every) ? grid->end : time;
 }

@@ -71,11 +71,11 @@ static enum bead_error reserve(struct bead_profile_times *m, struct bead_message
 }
 
 /* Are all times on this grid? */
-static bool hits(const struct bead_output *output, double start, double every)
+static bool hits(const struct bead_output *output, const struct bead_grid *grid)
 {
     for (size_t i = 0; i < output->curves.profile_time_count; i++) {
-        double place = (output->curves.profile_times[i] - start) / every;
-        if (fabs(place - round(place)) > 1e-7)
+        const double place = (output->curves.profile_times[i] - grid->start) / grid->every;
+        if (fabs(place - round(place)) > 1e-9)
             return false;
     }
     return true;
@@ -83,33 +83,27 @@ static bool hits(const struct bead_output *output, double start, double every)
 
 bool bead_profile_times_are_samples(const struct bead_profile_times *m)
 {
-    return hits(m->output, m->grid.start, m->grid.every);
+    return m->grid.times || hits(m->output, &m->grid);
 }
 
+/* The times themselves; of samples that there are already, those around them. */
 static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
-    enum { MOST_PARTS = 1000 };
     const struct bead_grid *native = &context->native;
-    size_t last = output->curves.profile_time_count - 1;
-    double from = output->curves.profile_times[0], to = output->curves.profile_times[last],
-           gap = last > 0 ? output->curves.profile_times[1] - from : context->resolution / 8;
-    if (native->every > 0) {
+    const double *times = output->curves.profile_times;
+    const size_t count = output->curves.profile_time_count;
+    const double from = times[0], to = times[count - 1];
+    if (native->every > 0 && (context->replayed || hits(output, native))) {
         double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
         double end = ceil((to - native->start) / native->every - 1e-6);
-        return (struct bead_grid){native->start + first * native->every, native->every,
-                                  fmin(native->end, native->start + end * native->every), false};
+        return (struct bead_grid){.start = native->start + first * native->every,
+                                  .every = native->every,
+                                  .end = fmin(native->end, native->start + end * native->every)};
     }
-    for (size_t i = 1; i < last; i++)
-        gap = fmin(gap, output->curves.profile_times[i + 1] - output->curves.profile_times[i]);
-    for (int parts = 1; parts <= MOST_PARTS; parts++) {
-        const struct bead_grid grid = {from, gap / parts, to, false};
-        if (bead_grid_is_too_fine(&grid))
-            break;
-        if (hits(output, from, grid.every))
-            return grid;
-    }
-    double every = context->resolution / 8;
-    return (struct bead_grid){from, every, fmin(context->end, from + ceil((to - from) / every) * every), false};
+    double gap = count > 1 ? INFINITY : context->resolution;
+    for (size_t i = 1; i < count; i++)
+        gap = fmin(gap, times[i] - times[i - 1]);
+    return (struct bead_grid){from, gap, to, false, times, count};
 }
 
 enum bead_error bead_profile_times_create(const struct bead_output *output, const struct bead_run_context *context,

@@ -67,7 +67,7 @@ static void prepare(struct bead_player *player)
     const double end = passage ? INFINITY : player->simulate.until;
     player->consumer = (struct bead_consumer){.needs = {.fields = s->fields,
                                                         .beads = {0, SIZE_MAX},
-                                                        .grid = {0, s->every, end, false},
+                                                        .grid = {.every = s->every, .end = end},
                                                         .contact_peaks = s->contact_peaks,
                                                         .bead_peaks = s->bead_peaks,
                                                         .uncertainty = s->uncertainty},

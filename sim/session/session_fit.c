@@ -54,8 +54,9 @@ static enum bead_error keep(const struct bead_consumer *consumer, const struct b
 static enum bead_error play(const struct fit *f, const struct bead_scene *scene, struct record *record, struct bead_message *msg)
 {
     const struct bead_session *s = f->session;
-    struct bead_consumer consumer = {
-        .needs = {.beads = {SIZE_MAX, 0}, .grid = {0, f->every, f->end, false}, .until = f->end}, .take = keep, .context = record};
+    struct bead_consumer consumer = {.needs = {.beads = {SIZE_MAX, 0}, .grid = {.every = f->every, .end = f->end}, .until = f->end},
+                                     .take = keep,
+                                     .context = record};
     const struct bead_play run = {.chains = &record->chain,
                                   .chain_count = 1,
                                   .simulate = &scene->simulate,

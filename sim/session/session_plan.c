@@ -115,10 +115,11 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
     char fields[128];
     fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
     if (n->grid.every > 0 && n->fields) {
-        fprintf(out, "  samples: %s of %s %zu to %zu, %zu times every %s%s until %s%s\n",
-                plan_fields(n->fields, fields, sizeof fields), bead_chain_spec(s->chains[0])->system->points, n->beads.first,
-                n->beads.last, bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text,
-                n->grid.widens ? " at first" : "", time_words(s, n->grid.end, true).text, plan_sharing(s, m));
+        const struct bead_grid *g = &n->grid;
+        fprintf(out, "  samples: %s of %s %zu to %zu, %zu times%s%s%s until %s%s\n", plan_fields(n->fields, fields, sizeof fields),
+                bead_chain_spec(s->chains[0])->system->points, n->beads.first, n->beads.last, bead_grid_count(g),
+                g->times ? "" : " every ", g->times ? "" : time_words(s, g->every, false).text, g->widens ? " at first" : "",
+                time_words(s, g->end, true).text, plan_sharing(s, m));
     } else {
         fprintf(out, "  samples: none\n");
     }

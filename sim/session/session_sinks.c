@@ -159,7 +159,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .chains = s->chains,
                                        .chain_count = s->chain_count,
                                        .end = s->end,
-                                       .native = m->shared ? s->native : (struct bead_grid){0, 0, 0, false},
+                                       .native = m->shared ? s->native : (struct bead_grid){.every = 0},
                                        .resolution = s->resolution,
                                        .tolerance_factor = s->tolerance_factor,
                                        .threads = s->threads,
@@ -180,7 +180,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
     if (err)
         return err;
     bead_session_ask_needs(s, m);
-    m->shared = m->shared && s->native.every > 0 && m->needs.grid.every == s->native.every;
+    m->shared = m->shared && s->native.every > 0 && !m->needs.grid.times && m->needs.grid.every == s->native.every;
     return bead_file_join(context.directory, m->output->path, &m->path, msg);
 }
 

@@ -312,8 +312,10 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
     const bool spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;
     BEAD_FREED struct bead_sweep_watch *watches = NULL;
     BEAD_FREED double *values = NULL;
-    *lines = (struct bead_sweep_lines){
-        .output = *output, .grid = {0, INFINITY, NAN, spreading}, .laws = spreading ? BEAD_LAW_NUMBERS : 0, .chain_count = count};
+    *lines = (struct bead_sweep_lines){.output = *output,
+                                       .grid = {.every = INFINITY, .end = NAN, .widens = spreading},
+                                       .laws = spreading ? BEAD_LAW_NUMBERS : 0,
+                                       .chain_count = count};
     BEAD_TRY(bead_new(&lines->chains, count, msg, "the curves of %zu chains", count));
     BEAD_TRY(bead_new(&values, count, msg, "the curves of %zu chains", count));
     BEAD_TRY(bead_new(&watches, 2 * count, msg, "the curves of %zu chains", count));

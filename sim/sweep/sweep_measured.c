@@ -73,7 +73,7 @@ static enum bead_error run(const struct work *work, size_t index, const struct b
     const double every = play.end / ceil(play.end / (BEAD_MEASURE_SPACING * pace.resolution)) / (double)of->each;
     struct bead_consumer consumer = {.needs = {.fields = BEAD_MEASURE_FIELDS,
                                                .beads = {0, SIZE_MAX},
-                                               .grid = {0, every, play.end, false},
+                                               .grid = {.every = every, .end = play.end},
                                                .states = true,
                                                .checked = of->check != NULL},
                                      .take = take,

@@ -69,7 +69,7 @@ static enum bead_error play_watched(void *context, size_t index, const struct be
     if (watch->take) {
         consumer.needs.fields = watch->fields;
         consumer.needs.beads = (struct bead_span){0, chain->beads - 1};
-        consumer.needs.grid = (struct bead_grid){0, watch->every, play.end, watch->widens};
+        consumer.needs.grid = (struct bead_grid){.every = watch->every, .end = play.end, .widens = watch->widens};
     }
     if (watch->finer)
         play.refinement = bead_play_check_factor(&play);

@@ -125,7 +125,7 @@ static enum bead_error create_table(const struct bead_output *output, const stru
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %s", output->path);
     s->output = output;
     s->context = *context;
-    s->times = (struct bead_grid){0, every, context->end, false};
+    s->times = (struct bead_grid){.every = every, .end = context->end};
     s->row = calloc(bead_grid_count(&s->times), sizeof *s->row);
     return s->row ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %s", output->path);
 }

@@ -107,7 +107,7 @@ static void times_of_any_film(void **state)
         char text[600], time[2][20] = {"auto", "auto"};
         struct bead_scene *scene;
         struct bead_chain *chain;
-        struct bead_grid native = {round(any(0, 90)) * 1e-6, round(any(1, 30)) * 1e-6, NAN, false};
+        struct bead_grid native = {.start = round(any(0, 90)) * 1e-6, .every = round(any(1, 30)) * 1e-6, .end = NAN};
         native.end = native.start + floor(any(700e-6, 800e-6) / native.every) * native.every;
         for (int k = 0; k < 2; k++) {
             if (any(0, 4) > 1)

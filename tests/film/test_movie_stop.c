@@ -31,7 +31,7 @@ static void asker_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE),
                                  .beads = {0, SIZE_MAX},
-                                 .grid = {0, sink->end, sink->end, false},
+                                 .grid = {.every = sink->end, .end = sink->end},
                                  .until = sink->end};
 }
 

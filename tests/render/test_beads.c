@@ -724,9 +724,9 @@ static void test_frames_do_not_depend_on_threads(void **state)
     char directory[256];
     snprintf(directory, sizeof directory, "%s/beadreel-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
     assert_non_null(mkdtemp(directory));
-    check_threads(directory, (struct bead_grid){0, 0, 0, false});
-    check_threads(directory, (struct bead_grid){0, 3e-6, 0.8e-3, false}); /* samples that fall between frames */
-    check_threads(directory, (struct bead_grid){0, 5e-5, 0.8e-3, false}); /* fewer samples than frames */
+    check_threads(directory, (struct bead_grid){.every = 0});
+    check_threads(directory, (struct bead_grid){.every = 3e-6, .end = 0.8e-3}); /* samples that fall between frames */
+    check_threads(directory, (struct bead_grid){.every = 5e-5, .end = 0.8e-3}); /* fewer samples than frames */
     rmdir(directory);
 }
 

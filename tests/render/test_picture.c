@@ -214,7 +214,7 @@ static void test_needs_are_no_more_than_shown(void **state)
     assert_true(needs.until == 0.5e-3 && needs.grid.start == 0.1e-3 && needs.grid.end == 0.5e-3 && !needs.range);
     assert_true(needs.grid.every > 0 && needs.grid.every <= context.resolution);
     bead_image_sink.destroy(sink);
-    context.native = (struct bead_grid){0, 7e-6, 1e-3, false}; /* those of a file: from the one before to the one behind */
+    context.native = (struct bead_grid){.every = 7e-6, .end = 1e-3}; /* those of a file: from the one before to the one behind */
     assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &context, &sink, NULL), BEAD_OK);
     bead_image_sink.needs(sink, &needs);
     assert_true(needs.grid.every == 7e-6 && fabs(needs.grid.start - 98e-6) < 1e-12 && fabs(needs.grid.end - 504e-6) < 1e-12);

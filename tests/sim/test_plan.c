@@ -135,7 +135,8 @@ static void comparisons_are_run(const char *plan, const struct bead_session *ses
     if (again && strstr(plan, "with steps of ") && !strstr(plan, " of the tolerance"))
         assert_true(fabs((double)counts->comparison_steps - (double)run->steps / longer) <= 2);
     assert_int_equal(counts->passes, 1 + (strstr(plan, "found by a scouting run") || strstr(plan, "the latest that")));
-    const char *const samples = strstr(plan, "\n  samples: ") + 1, *const times = strstr(samples, " times every ");
+    const char *const samples = strstr(plan, "\n  samples: ") + 1, *const every = strstr(samples, " times every "),
+                      *const times = every ? every : strstr(samples, " times until ");
     const double planned = times ? behind(strrchr(strndupa(samples, (size_t)(times - samples)), ','), ", ") : 0;
     assert_true((double)counts->samples == (double)count * planned);
     assert_int_equal(counts->samples == 0, has_line(plan, "skipped: samples"));

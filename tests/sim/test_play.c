@@ -85,7 +85,7 @@ static void samples_end_with_their_own_run(void **state)
     s->consumer.take = take;
     s->consumer.needs.fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
     s->consumer.needs.beads.last = 10;
-    s->consumer.needs.grid = (struct bead_grid){0, every, INFINITY, false};
+    s->consumer.needs.grid = (struct bead_grid){.every = every, .end = INFINITY};
     if (bead_play(&s->play, &s->played, &s->msg))
         fail_msg("%s", s->msg.text);
     for (size_t c = 0; c < CHAINS; c++) {
@@ -102,8 +102,8 @@ static void samples_end_with_their_own_run(void **state)
 static size_t times_of(double every, double other)
 {
     const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
-    struct bead_consumer consumers[2] = {{.needs = {.fields = fields, .grid = {0, every, 3e-6, false}}},
-                                         {.needs = {.fields = fields, .grid = {0, other, 3e-6, false}}}};
+    struct bead_consumer consumers[2] = {{.needs = {.fields = fields, .grid = {.every = every, .end = 3e-6}}},
+                                         {.needs = {.fields = fields, .grid = {.every = other, .end = 3e-6}}}};
     const struct bead_play play = {.consumers = consumers, .consumer_count = 2};
     struct bead_due due;
     size_t count = 0;
@@ -112,8 +112,8 @@ static size_t times_of(double every, double other)
     return count;
 }
 
-/* A time that differs by rounding only is not sampled twice; others are, as a shift by a ten millionth of the spacing is more than the
- * accuracy that may be asked for. */
+/* A time that differs by rounding only is not sampled twice; others are, as a shift by a ten millionth of the spacing is more than
+ * the accuracy that may be asked for. */
 static void times_are_equal_to_rounding(void **state)
 {
     (void)state;
@@ -182,7 +182,7 @@ static void an_end_is_kept(void **state)
     s->play.passage = BEAD_PASSAGE_NONE;
     s->play.hash = true;
     s->consumer.take = take;
-    s->consumer.needs.grid = (struct bead_grid){3e-5, 1, 3e-5, false};
+    s->consumer.needs.grid = (struct bead_grid){.start = 3e-5, .every = 1, .end = 3e-5};
     for (int sampled = 0; sampled < 2; sampled++) {
         s->counts = (struct bead_counts){0};
         s->consumer.needs.fields = sampled ? BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) : 0;

@@ -130,7 +130,7 @@ static void grids_widen_as_powers_of_time_do(void **state)
     (void)state;
     static const double ends[] = {0, 0.125, 40, 63, 64, 65, 66, 4000, 1e9 + 0.5};
     for (size_t e = 0; e < sizeof ends / sizeof *ends; e++) {
-        const struct bead_grid grid = {0.25, 0.5, 0.25 + 0.5 * ends[e], 1};
+        const struct bead_grid grid = {.start = 0.25, .every = 0.5, .end = 0.25 + 0.5 * ends[e], .widens = 1};
         const size_t count = bead_grid_count(&grid);
         double before = -1;
         for (size_t i = 0; i < count; i++) {

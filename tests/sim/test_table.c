@@ -220,23 +220,30 @@ static void feed(struct bead_profile_times *moments, double until, double every)
     }
 }
 
-/* Profiles are at their moments: those of stored samples on straight lines between two, others where the grid meets them all; also
- * where other outputs take samples at other times. */
+static double moment_of(const struct stand *s, size_t k)
+{
+    return s->scene->outputs[0].curves.profile_times[k];
+}
+
+/* Profiles are at their moments: those of stored samples on straight lines between two; a run takes samples at the moments, unless
+ * the trajectory that it writes has them; also where other outputs take samples at other times. */
 static void profiles_are_at_their_moments(void **state)
 {
     (void)state;
     static const struct {
         const char *at;
-        double native, start, every, end; /* us */
+        double native, start, every, end; /* us; native < 0: of the trajectory that the run writes */
         size_t count;
         double moment[4];
         bool samples;
     } cases[] = {{"[0 us, 2.5 us, 7.3 us, 20 us]", 2, 0, 2, 20, 4, {0, 2.5, 7.3, 20}, false},
                  {"[3 us, 5 us]", 2, 2, 2, 6, 2, {3, 5}, false},
                  {"[4 us, 10 us]", 2, 4, 2, 10, 2, {4, 10}, true},
+                 {"[4 us, 10 us]", -2, 4, 2, 10, 2, {4, 10}, true},
+                 {"[4 us, 8.1 us]", -2, 4, 4.1, 8.1, 2, {4, 8.1}, true},
                  {"[2 us, 4 us, 5 us]", 0, 2, 1, 5, 3, {2, 4, 5}, true},
-                 {"[1 us, 2.5 us, 3.5 us]", 0, 1, 0.5, 3.5, 3, {1, 2.5, 3.5}, true},
-                 {"[6 us]", 0, 6, 0.5, 6, 1, {6}, true}};
+                 {"[1 us, 2.5 us, 3.6 us]", 0, 1, 1.1, 3.6, 3, {1, 2.5, 3.6}, true},
+                 {"[6 us]", 0, 6, 4, 6, 1, {6}, true}};
     for (size_t n = 0; n < 2 * sizeof cases / sizeof *cases; n++) {
         const size_t i = n / 2;
         const double others = n % 2 ? 0.8 : INFINITY; /* us */
@@ -246,7 +253,8 @@ static void profiles_are_at_their_moments(void **state)
         snprintf(output, sizeof output, "table: t.csv, show: profiles, field: velocity, at: %s", cases[i].at);
         assert_int_equal(try_set_up(&s, ONE_CHAIN, output, 20e-6, &msg), BEAD_OK);
         struct bead_profile_times *moments;
-        s.context.native = (struct bead_grid){0, 1e-6 * cases[i].native, 20e-6, false};
+        s.context.native = (struct bead_grid){.every = 1e-6 * fabs(cases[i].native), .end = 20e-6};
+        s.context.replayed = cases[i].native > 0;
         s.context.resolution = 4e-6;
         assert_int_equal(bead_profile_times_create(&s.scene->outputs[0], &s.context, &moments, &msg), BEAD_OK);
         const struct bead_grid grid = bead_profile_times_needs(moments).grid;
@@ -254,6 +262,8 @@ static void profiles_are_at_their_moments(void **state)
         assert_near(grid.every, 1e-6 * cases[i].every, 1e-18);
         assert_near(grid.end, 1e-6 * cases[i].end, 1e-18);
         assert_int_equal(bead_profile_times_are_samples(moments), cases[i].samples);
+        for (size_t k = 0; grid.times && k < cases[i].count; k++)
+            assert_true(bead_grid_count(&grid) == cases[i].count && bead_grid_time(&grid, k) == moment_of(&s, k));
         assert_int_equal(bead_profile_times_values(moments, 0), 13);
         feed(moments, 20e-6, 1e-6 * fmin(others, fmin(cases[i].every, 1 + (cases[i].native > 0))));
         for (size_t k = 0; k < cases[i].count; k++) {

@@ -409,7 +409,8 @@ static void grids(void **state)
     assert_non_null(strstr(msg.text, "test.yaml:"));
     tear_down(&s, 0);
     /* Only samples at given times: the nearest multiple of their spacing. */
-    struct bead_run_context context = {.scene = NULL, .end = 1e-3, .resolution = 1e-6, .native = {0.1e-3, 4e-6, 0.5e-3, 0}};
+    struct bead_run_context context = {
+        .scene = NULL, .end = 1e-3, .resolution = 1e-6, .native = {.start = 0.1e-3, .every = 4e-6, .end = 0.5e-3, .widens = 0}};
     struct bead_scene scene = {.file = NULL};
     context.scene = &scene;
     struct bead_output output = {.shown = {.time = {NAN, NAN}, .every = 9e-6}};
