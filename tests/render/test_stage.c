@@ -444,6 +444,43 @@ static void neighbours_hide_light(void **state)
     }
 }
 
+/* The mean light of a bead alone where its surface rises so much, from straight down, -1, to straight up, 1. */
+static double light_where(const struct bead_stage_bake *bake, float from, float to)
+{
+    const int span = bake->wide + 2 * BEAD_STAGE_PAD;
+    const float *picture = bake->picture[BEAD_STAGE_ALONE];
+    double sum = 0, count = 0;
+    for (int y = 0; y < bake->high; y++) {
+        for (int x = 0; x < bake->wide; x++) {
+            const float *at = picture + y * BEAD_STAGE_PLANES * span + BEAD_STAGE_PAD + x;
+            if (at[BEAD_STAGE_COVER * span] < 1 || at[BEAD_STAGE_RISE * span] < from || at[BEAD_STAGE_RISE * span] > to)
+                continue;
+            sum += at[0] + at[span] + at[2 * span];
+            count++;
+        }
+    }
+    assert_true(count > 20);
+    return sum / count;
+}
+
+/* The floor hides most of the light that would come from below. */
+static void beads_are_dark_near_the_floor(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    for (int theme = 0; theme < 2; theme++) {
+        struct bead_stage s;
+        open_stage(&s, themes[theme], 40);
+        put_three(&s, (const double[]){0.7, 0.7, 0.72});
+        require(bead_stage_prepare(&s, &msg), &msg);
+        const double below = light_where(s.beads[1].bake, -1, -0.7f), beside = light_where(s.beads[1].bake, -0.1f, 0.1f),
+                     above = light_where(s.beads[1].bake, 0.3f, 0.6f);
+        /* Measured: 0.12 and 0.26 of the light from the side; without a floor more than twice as much. */
+        assert_true(below < (theme ? 0.4 : 0.2) * beside && beside < above);
+        bead_stage_close(&s);
+    }
+}
+
 /* The floor below a wall is brighter than without it, and where the contact's light is mirrored brighter still. */
 static void walls_are_mirrored(void **state)
 {
@@ -541,11 +578,17 @@ static void balls_are_round(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(painters_agree),           cmocka_unit_test(instruction_sets_give_the_same_pixels),
-        cmocka_unit_test(light_rises_with_force),   cmocka_unit_test(fine_stages_look_the_same),
-        cmocka_unit_test(camera_rests_and_follows), cmocka_unit_test(waves_that_meet_are_both_in_the_window),
-        cmocka_unit_test(own_materials_differ),     cmocka_unit_test(neighbours_hide_light),
-        cmocka_unit_test(walls_are_mirrored),       cmocka_unit_test(floors_go_far),
+        cmocka_unit_test(painters_agree),
+        cmocka_unit_test(instruction_sets_give_the_same_pixels),
+        cmocka_unit_test(light_rises_with_force),
+        cmocka_unit_test(fine_stages_look_the_same),
+        cmocka_unit_test(camera_rests_and_follows),
+        cmocka_unit_test(waves_that_meet_are_both_in_the_window),
+        cmocka_unit_test(own_materials_differ),
+        cmocka_unit_test(beads_are_dark_near_the_floor),
+        cmocka_unit_test(neighbours_hide_light),
+        cmocka_unit_test(walls_are_mirrored),
+        cmocka_unit_test(floors_go_far),
         cmocka_unit_test(balls_are_round),
     };
     return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
