@@ -114,10 +114,8 @@ static void the_motion_stands_in_a_pause(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(even_time_has_no_pieces),
-        cmocka_unit_test(the_curve_is_integrated),
-        cmocka_unit_test(speeds_are_those_of_the_motion),
-        cmocka_unit_test(factors_are_those_asked_for),
+        cmocka_unit_test(even_time_has_no_pieces),        cmocka_unit_test(the_curve_is_integrated),
+        cmocka_unit_test(speeds_are_those_of_the_motion), cmocka_unit_test(factors_are_those_asked_for),
         cmocka_unit_test(the_motion_stands_in_a_pause),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
