@@ -138,4 +138,5 @@ ok "... that beadsim does not draw" test -z "$(offers "$beadsim" --canvas '' | g
 printf '%s\n' 'chain: {striker: {velocity: 0.1}, beads: [{bead: brass, count: 4}]}' 'outputs: [{table: p.csv}]' >"$T/quiet.yaml"
 ok "progress in JSON" eval '"$beadsim" "$T/quiet.yaml" -o "$T/quiet" --progress json >"$T/out" 2>"$T/err" && grep -q "^{\"what\"" "$T/err"'
 ok "... none with --quiet behind it" eval '"$beadsim" "$T/quiet.yaml" -o "$T/quiet" --progress json -q >"$T/out" 2>"$T/err" && test ! -s "$T/err"'
+ok "-o - is the file on standard output" eval '"$beadsim" "$T/quiet.yaml" -o - -q | cmp - "$T/quiet/p.csv"'
 finish
