@@ -46,7 +46,8 @@ struct bead_span {
 
 /* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. If they widen, for laws that are powers
  * of time, only the first 64 are so close; then there are 32 for each doubling of the distance from the start, and the last is the
- * end. All others are multiples of `every` from the start. Or they are `count` given ones, ascending from start to end, borrowed. */
+ * end. All others are multiples of `every` from the start. Or they are `count` given ones, ascending from start to end, borrowed.
+ */
 struct bead_grid {
     double start, every, end;
     bool widens;

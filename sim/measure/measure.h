@@ -7,9 +7,10 @@
  *   bead_measures_destroy(measures);
  *
  * Everything is measured at contacts, from forces less their static part. The leading pulse is the first: it lasts until the force
- * of the contact has fallen below a tenth of its maximum. Integrals over it end where the contact opens, or at the first minimum below
- * a twentieth, and at the latest three times its rise after its maximum. It is measured at the probe, a contact far enough from the
- * end of the chain not to be disturbed by it, and, if the chain repeats itself there (uniform, dimers, ...), over one whole cell. */
+ * of the contact has fallen below a tenth of its maximum. Integrals over it end where the contact opens, or at the first minimum
+ * below a twentieth, and at the latest three times its rise after its maximum. It is measured at the probe, a contact far enough
+ * from the end of the chain not to be disturbed by it, and, if the chain repeats itself there (uniform, dimers, ...), over one
+ * whole cell. */
 #pragma once
 
 #include <stdbool.h>
