@@ -4,7 +4,7 @@
 #include "drawn.h"
 #include "page_laws.h"
 
-enum { PAGES = 10, LEAST_WIDTH = 110, LEAST_HEIGHT = 80 };
+enum { PAGES = 8, LEAST_WIDTH = 110, LEAST_HEIGHT = 80 };
 static struct drawn drawn;
 static uint64_t random_state = 1;
 

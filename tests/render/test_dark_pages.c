@@ -24,8 +24,8 @@ static const struct {
     {"chain: {" STRIKER "wall: brass, precompression: 2 N, beads: [{bead: large-steel, count: 20}, "
      "{bead: small-steel, sensor: first}, {bead: ptfe}]}\n"
      "simulate: {until: 0.2 ms}\n",
-     {"plot: %s, show: setup", "plot: %s, show: contact", "plot: %s, show: bands", "plot: %s, show: profiles, at: [0.1 ms, 0.2 ms]",
-      "plot: %s, show: spectrogram", "plot: %s, show: spreading"}},
+     {"plot: %s, show: setup", "plot: %s, show: contact", "plot: %s, show: bands",
+      "plot: %s, show: profiles, at: [0.1 ms, 0.2 ms]"}},
     {"chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
      "simulate: {until: 30}\n",
      {"plot: %s, show: modes", "image: %s"}},
