@@ -139,7 +139,7 @@ static double over_by_steps(const struct built *built, size_t sensor)
         const double *force = sample_at(run, time).field[BEAD_FIELD_CONTACT_FORCE];
         for (size_t k = 0; k < contacts; k++)
             largest = fmax(largest, force[k] - rest[k]);
-        for (size_t p = 0; p < 2; p++)
+        for (size_t p = 0; p < (sensor > 0 ? 2 : 1); p++)
             watch(&places[p], force, rest, largest, time, step);
     }
     bead_run_destroy(run);

@@ -44,7 +44,7 @@ static const struct {
       "show: extremes, field: compression, time: [15 us, 60 us]", "show: spreading, every: 1.5 us", "show: spectrum, every: 3 us",
       "show: spectrum, beads: [3], field: velocity, window: none, every: 1.5 us, segment: 30 us", "show: dispersion, every: 3 us",
       "show: spectrogram, beads: [3], every: 1.5 us, segment: 45 us", "show: measures, every: 1.5 us",
-      "show: profiles, at: [19.5 us, 33.2 us, 99 us]", "show: profiles, at: [45 us], field: displacement", "show: bands",
+      "show: profiles, at: [19.5 us, 33 us, 99 us]", "show: profiles, at: [45 us], field: displacement", "show: bands",
       "show: eigenmodes", "show: chain"}},
     {PRESSED,
      "every: 1 us, fields: [displacement, velocity]",
@@ -66,11 +66,11 @@ static const struct {
     {WAVE,
      "every: 0.05, fields: all",
      {"show: sensors, beads: [20, 40]", "show: sensors, beads: [20], field: velocity, every: 0.1", "show: extremes, field: energy",
-      "show: profiles, at: [0.5, 1.234]"}},
+      "show: profiles, at: [0.5, 1.25]"}},
     {SOLITONS,
      "every: 0.001, fields: all",
      {"show: sensors, beads: [20, 40], field: displacement", "show: extremes, field: displacement",
-      "show: profiles, at: [0.0123, 0.05], field: displacement"}},
+      "show: profiles, at: [0.012, 0.05], field: displacement"}},
 };
 
 static size_t read_file(const char *folder, const char *name, char *bytes)
