@@ -31,10 +31,12 @@ shortened() {
     zabusky-kruskal) settings=(simulate.until=1.2) ;;
     thesis/fig8) settings=(simulate.until=1 'outputs.0.at=[0, 1]' 'outputs.1.at=[0, 1]') ;;
     cradle) settings=(simulate.until=0.05) ;;
+    kdv) settings=(chain.points=400) ;;
+    shock) settings=(simulate.until=4 'outputs.2.at=[0, 2, 3.86]') ;;
     martinez2016) settings=(simulate.until=20 'sweep.over={chain.beads.0.disorder.seed: 1..2}') ;;
     sweep) settings=(sweep.configurations=2) ;;
     thesis/fig6) settings=(sweep.configurations=1) ;;
-    thesis/decay) settings=(sweep.configurations=2 'sweep.magnetism=[0.9]') ;;
+    thesis/decay) settings=(sweep.configurations=1 'sweep.magnetism=[0.9]') ;;
     thesis/fig7) for i in 0 1 2 3; do settings+=("sweeps.$i.configurations=2" "sweeps.$i.magnetism=[1, 0.5]"); done ;;
     esac
 }
