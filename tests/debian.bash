@@ -73,6 +73,6 @@ within() {
         root=$1; shift
         mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
         exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${FAST:+FAST="$FAST"} ${WERROR:+WERROR="$WERROR"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+        DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${FAST:+FAST="$FAST"} ${WERROR:+WERROR="$WERROR"} ${FILMS:+FILMS="$FILMS"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         ${no_proxy:+no_proxy="$no_proxy"} "$@"
 }

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Films of all ready scenes, small and short: as many frames as the plan says, at a rate that ffprobe finds constant. The first is made in
-# every container; the others as MP4.
+# every container; the others as MP4. FILMS=first: only that, for another system whose libraries may write containers in another way.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1
 if ! command -v ffprobe >/dev/null; then
@@ -73,9 +73,10 @@ for scene in $("$beadreel" --list scenes | awk '{print $1}'); do
         ok "films of $scene" made
         all_constant 60
         formats=mp4
+        [ "${FILMS:-}" != first ] || break 2
     done < <("$beadreel" --info "$scene" | sed -n 's/^output \([0-9]*\): movie .*/\1/p')
 done
-ok "scenes have films" [ $films -ge 7 ]
+ok "scenes have films" [ $films -ge "$([ "${FILMS:-}" = first ] && echo 1 || echo 7)" ]
 
 film "$every" teaching 0 fps=25 card='{for: 0.4 s}' captions='[{at: 0.5 ms, text: Stop, pause: 0.6 s}]'
 ok "a title card, a pause and 25 frames a second" made
