@@ -13,7 +13,7 @@
 #include "render/view/sensor_curves.h"
 
 enum { CURVES = 3, SAMPLES = 3000, STRETCHES = 4096 };
-static double time[SAMPLES], values[SAMPLES][CURVES];
+static double moment[SAMPLES], values[SAMPLES][CURVES];
 
 static double any(uint64_t *state)
 {
@@ -24,7 +24,7 @@ static double any(uint64_t *state)
 static bool is_sample(const struct bead_point *p, size_t from, size_t to, size_t curve)
 {
     for (size_t i = from; i < to; i++) {
-        if (time[i] == p->time && values[i][curve] == p->value)
+        if (moment[i] == p->time && values[i][curve] == p->value)
             return true;
     }
     return false;
@@ -40,7 +40,7 @@ static void assert_stretch(const struct bead_curves *curves, size_t stretch, siz
         for (size_t i = from; i < to; i++)
             low = fmin(low, values[i][c]), high = fmax(high, values[i][c]);
         assert_true(count >= 1 && count <= (to - from < 4 ? to - from : 4));
-        assert_true(points[0].time == time[from] && points[count - 1].time == time[to - 1]);
+        assert_true(points[0].time == moment[from] && points[count - 1].time == moment[to - 1]);
         for (size_t i = 0; i < count; i++) {
             assert_true((i == 0 || points[i].time > points[i - 1].time) && is_sample(&points[i], from, to, c));
             least = fmin(least, points[i].value), most = fmax(most, points[i].value);
@@ -58,18 +58,18 @@ static void curves_keep_what_is_seen(void **)
         double least = INFINITY, most = -INFINITY;
         bead_curves_init(&curves, CURVES, ends);
         for (size_t i = 0; i < SAMPLES; i++) {
-            time[i] = i ? time[i - 1] + length * any(&state) * pow(4, spacing % 4 - 3) : ends[0];
+            moment[i] = i ? moment[i - 1] + length * any(&state) * pow(4, spacing % 4 - 3) : ends[0];
             for (size_t c = 0; c < CURVES; c++) {
                 values[i][c] = spacing == 4 ? 5 : c == 0 ? (double)i : c == 1 ? -(double)i : any(&state) - 0.5;
                 least = fmin(least, values[i][c]), most = fmax(most, values[i][c]);
             }
             assert_int_equal(bead_curves_reserve(&curves, NULL), BEAD_OK);
-            bead_curves_add(&curves, time[i], values[i]);
+            bead_curves_add(&curves, moment[i], values[i]);
         }
         size_t stretch = 0;
         for (size_t from = 0, to; from < SAMPLES; from = to, stretch++) {
-            const double slot = floor((time[from] - ends[0]) / (ends[1] - ends[0]) * STRETCHES);
-            for (to = from + 1; to < SAMPLES && floor((time[to] - ends[0]) / (ends[1] - ends[0]) * STRETCHES) == slot;)
+            const double slot = floor((moment[from] - ends[0]) / (ends[1] - ends[0]) * STRETCHES);
+            for (to = from + 1; to < SAMPLES && floor((moment[to] - ends[0]) / (ends[1] - ends[0]) * STRETCHES) == slot;)
                 to++;
             assert_true(stretch < curves.count);
             assert_stretch(&curves, stretch, from, to);

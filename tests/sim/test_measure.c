@@ -273,8 +273,8 @@ static void samples_may_fall_anywhere(void **state)
         "materials: {a: {density: 2056, modulus: 433.62 GPa, poisson: 0.075, radius: 2.4653 mm}}\n"
         "chain: {striker: {bead: a, velocity: 0.38266}, wall: rigid, beads: [{bead: a}]}\n"
         "simulate: {accuracy: 1e-8, until: 8.15364423 us}\n",
-        "chain: {beads: [{cell: [large-steel, aluminium], count: 10}], damping: {coefficient: 2, exponent: 1.3}}\n"
-        "simulate: {accuracy: 1e-6, until: 0.6 ms}\n",
+        ("chain: {beads: [{cell: [large-steel, aluminium], count: 10}], damping: {coefficient: 2, exponent: 1.3}}\n"
+         "simulate: {accuracy: 1e-6, until: 0.6 ms}\n"),
     };
     static const double every[] = {5e-6 / 16, 5e-6 / 16, 5e-7 / 16, 1e-7};
     for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
