@@ -166,12 +166,17 @@ static int finish(struct gif *gif)
     int code = avcodec_send_frame(gif->codec, NULL);
     if (code >= 0)
         code = write_packets(gif);
-    if (code >= 0)
-        code = av_opt_set_int(gif->format->priv_data, "final_delay", lasts > LEAST_DELAY ? lasts : LEAST_DELAY, 0);
-    if (code >= 0)
-        code = av_write_trailer(gif->format);
+    return code < 0 ? code : av_opt_set_int(gif->format->priv_data, "final_delay", lasts > LEAST_DELAY ? lasts : LEAST_DELAY, 0);
+}
+
+/* Also after an error `code`: the muxer frees what it holds only with the trailer. */
+static int end(struct gif *gif, int code)
+{
+    const int ended = gif->begun ? av_write_trailer(gif->format) : 0;
+    if (code < 0 || ended < 0)
+        return code < 0 ? code : ended;
     avio_flush(gif->format->pb);
-    return code >= 0 ? gif->format->pb->error : code;
+    return gif->format->pb->error;
 }
 
 static int write_all(struct gif *gif, int from, int to)
@@ -182,10 +187,7 @@ static int write_all(struct gif *gif, int from, int to)
     gif->format->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
     gif->format->pb = bead_av_file_wrap(to, true);
     code = gif->format->pb ? read_all(gif, from, encode_picture) : AVERROR(ENOMEM);
-    if (code >= 0)
-        code = finish(gif);
-    else if (gif->begun) /* the muxer holds a packet, and frees it only with the trailer */
-        av_write_trailer(gif->format);
+    code = end(gif, code < 0 ? code : finish(gif));
     bead_av_file_unwrap(&gif->format->pb);
     avformat_free_context(gif->format);
     return code;
