@@ -146,15 +146,15 @@ static double rise_begin(const struct bead_measures *m, double level)
     return at == 0 || !isfinite(bead_curve_value(&curve, x)) ? (double)at : (double)first + x;
 }
 
-/* Where a pulse ends that goes on, in spacings: `tail_rises` rises at the probe after the maximum of the cell's last contact. The
- * samples reach further, unless the run ends. */
+/* Where a pulse ends that goes on, in spacings: `tail_rises` rises at the probe after the maximum of the cell's last contact, which
+ * may come first. The samples reach further, unless the run ends. */
 static double latest_end(const struct bead_measures *m)
 {
     const struct bead_trace *t = &m->trace;
     const struct bead_pulse first = bead_pulses_first(m->pulses, m->places.probe),
                             last = bead_pulses_first(m->pulses, m->places.probe + m->places.cell - 1);
     const double rise = (first.time - t->begin) / t->spacing - rise_begin(m, rise_part * first.force);
-    return fmin((last.time - t->begin) / t->spacing + tail_rises * rise, (double)(t->count - 1));
+    return fmin(fmax((last.time - t->begin) / t->spacing + tail_rises * rise, 0), (double)(t->count - 1));
 }
 
 /* Where the pulse in contact probe + i ends, near sample `at`, in spacings: where the contact opens, or at a minimum. */
