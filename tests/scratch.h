@@ -18,15 +18,15 @@ static inline int make_directory(void **state)
     return mkdtemp(directory) ? 0 : -1;
 }
 
-/* Remove a directory and the files in it. */
+/* Remove a directory and all that is in it. */
 static inline int remove_files(const char *path)
 {
     char file[1024];
     DIR *dir = opendir(path);
     for (struct dirent *e; dir && (e = readdir(dir));) {
         snprintf(file, sizeof file, "%s/%s", path, e->d_name);
-        if (e->d_name[0] != '.')
-            unlink(file);
+        if (e->d_name[0] != '.' && unlink(file) != 0)
+            remove_files(file);
     }
     if (dir)
         closedir(dir);

@@ -208,19 +208,9 @@ static void chains_do_not_depend_on_their_order(void **)
     }
 }
 
-static int remove_folders(void **state)
-{
-    char path[600];
-    for (int k = 0; k < 2; k++) {
-        snprintf(path, sizeof path, "%s/%s", directory, k ? "one" : "all");
-        remove_files(path);
-    }
-    return remove_directory(state);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(files_do_not_depend_on_others),
                                        cmocka_unit_test(chains_do_not_depend_on_their_order)};
-    return cmocka_run_group_tests_name("outputs alone", tests, make_directory, remove_folders);
+    return cmocka_run_group_tests_name("outputs alone", tests, make_directory, remove_directory);
 }

@@ -413,18 +413,8 @@ static void numbers_scale_as_their_units_say(void **)
     }
 }
 
-static int remove_folders(void **state)
-{
-    char path[600];
-    for (int k = 0; k < 2; k++) {
-        snprintf(path, sizeof path, "%s/%d", directory, k);
-        remove_files(path);
-    }
-    return remove_directory(state);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(numbers_scale_as_their_units_say)};
-    return cmocka_run_group_tests_name("scaled", tests, make_directory, remove_folders);
+    return cmocka_run_group_tests_name("scaled", tests, make_directory, remove_directory);
 }

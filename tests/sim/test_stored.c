@@ -311,19 +311,9 @@ static void files_beside_are_trees(void **)
     assert_true(depth == 0 && deepest == 7 && grids == 7);
 }
 
-static int remove_folders(void **state)
-{
-    char path[600];
-    for (int k = 0; k < 2; k++) {
-        snprintf(path, sizeof path, "%s/%s", directory, k ? "one" : "all");
-        remove_files(path);
-    }
-    return remove_directory(state);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(stored_runs_say_the_same), cmocka_unit_test(parts_are_in_the_whole),
                                        cmocka_unit_test(two_runs_are_those_alone), cmocka_unit_test(files_beside_are_trees)};
-    return cmocka_run_group_tests_name("stored", tests, make_directory, remove_folders);
+    return cmocka_run_group_tests_name("stored", tests, make_directory, remove_directory);
 }
