@@ -11,9 +11,10 @@
 #include "sim/measure/participation.h"
 #include "sim/run/uncertainty.h"
 
-/* Errors fall at least as the power p of the spacing, so a safety factor of 5 holds if 5 (1 - each^-p) > 1. Where no dashpot acts,
- * p is above 2, as forces begin with the power 3/2 of the time. A damping force |D|^a has a branch point beside the maximum, where
- * D changes its sign: p = a - 1 there, and 8 serves down to p = .11. */
+/* If errors fall as the power p of the spacing, a safety factor of 5 holds where 5 (1 - each^-p) > 1: 2 serves above p = .32, 8
+ * above .11. Where no dashpot acts, p is 3/2 or more, as forces begin with that power of the time. A damping force |D|^a with a > 1
+ * has a branch point beside the maximum, where D changes its sign: p = a - 1 for its time. For a below 1.11 nothing is derived; .7
+ * to 3 were tried by tests/stress/tables.py. */
 size_t bead_measures_each(const struct bead_chain *const *chains, size_t count)
 {
     bool damped = false;

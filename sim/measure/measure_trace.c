@@ -8,10 +8,11 @@
 #include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 
-/* The trace begins when the probe's force exceeds this part of the largest so far, that of a struck probe with the run. It ends
- * this many rise times of the pulse after the maximum of the cell's last contact. */
+/* The trace begins when the probe's force exceeds this part of the largest so far, that of a struck probe with the run: before the
+ * pulse rises, so that a curve goes through samples on both sides. It ends this many rise times, a choice, after the maximum of the
+ * cell's last contact. */
 static const double begin_part = 1e-12, tail_rises = 3;
-/* A pulse rises from the first of these parts of its maximum, and ends with the first minimum below the second. */
+/* A pulse rises from the first of these parts of its maximum, and ends with the first minimum below the second; both are chosen. */
 static const double rise_part = 1e-10, end_part = 0.05;
 /* Contacts on each side of the probe for the local speed, if no cell repeats there. */
 enum { IRREGULAR = 10 };

@@ -165,4 +165,18 @@ static void drawn_run(const char *scene, struct drawn *d)
     drawn_play((struct bead_job){.input = path, .output = out, .threads = 1}, d);
 }
 
+/* Runs chains, or a sweep, for outputs on paper, up to NULL or `most`, each with "%s" for its file; `more`: keys of all. */
+static inline void drawn_run_all(const char *chains, const char *const outputs[], size_t most, const char *more, struct drawn *d)
+{
+    char text[6000];
+    int used = snprintf(text, sizeof text, "%soutputs:\n", chains);
+    for (size_t i = 0; i < most && outputs[i]; i++) {
+        char keys[1000], file[32];
+        snprintf(file, sizeof file, "%zu.pdf", i);
+        snprintf(keys, sizeof keys, outputs[i], file);
+        used += snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, %s}\n", keys, more);
+    }
+    drawn_run(text, d);
+}
+
 #endif

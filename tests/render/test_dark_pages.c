@@ -34,17 +34,9 @@ static const struct {
 
 static void record(size_t scene, int dark, struct drawn *d)
 {
-    char text[6000];
-    int used = snprintf(text, sizeof text, "%soutputs:\n", scenes[scene].chains);
-    for (size_t i = 0; i < OUTPUTS_MOST && scenes[scene].outputs[i]; i++) {
-        char keys[1000], file[20];
-        snprintf(file, sizeof file, "%zu.pdf", i);
-        snprintf(keys, sizeof keys, scenes[scene].outputs[i], file);
-        used +=
-            snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, theme: %s, size: [%d mm, %d mm], dpi: 381}\n",
-                     keys, dark ? "dark" : "light", size[0], size[1]);
-    }
-    drawn_run(text, d);
+    char keys[100];
+    snprintf(keys, sizeof keys, "theme: %s, size: [%d mm, %d mm], dpi: 381", dark ? "dark" : "light", size[0], size[1]);
+    drawn_run_all(scenes[scene].chains, scenes[scene].outputs, OUTPUTS_MOST, keys, d);
 }
 
 /* The places of strokes and fills of a page in one theme; strokes are recorded anew for each. */

@@ -49,16 +49,9 @@ static const struct {
 
 static void record(size_t scene, int dpi, struct drawn *d)
 {
-    char text[6000];
-    int used = snprintf(text, sizeof text, "%soutputs:\n", scenes[scene].chains);
-    for (size_t i = 0; i < OUTPUTS_MOST && scenes[scene].outputs[i]; i++) {
-        char keys[1000], file[20];
-        snprintf(file, sizeof file, "%zu.pdf", i);
-        snprintf(keys, sizeof keys, scenes[scene].outputs[i], file);
-        used += snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, size: [%d mm, %d mm], dpi: %d}\n", keys,
-                         size[0], size[1], dpi);
-    }
-    drawn_run(text, d);
+    char keys[100];
+    snprintf(keys, sizeof keys, "size: [%d mm, %d mm], dpi: %d", size[0], size[1], dpi);
+    drawn_run_all(scenes[scene].chains, scenes[scene].outputs, OUTPUTS_MOST, keys, d);
 }
 
 /* Balls are lit from above on the left, as those that are painted. */

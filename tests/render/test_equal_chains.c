@@ -233,16 +233,9 @@ static void bands_are_apart(size_t page)
 static void equal_chains_look_equal(void **)
 {
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        char text[6000];
-        int used = snprintf(text, sizeof text, "%soutputs:\n", scenes[i].chains);
-        for (size_t k = 0; k < OUTPUTS_MOST && scenes[i].outputs[k]; k++) {
-            char keys[1000], file[20];
-            snprintf(file, sizeof file, "%zu.pdf", k);
-            snprintf(keys, sizeof keys, scenes[i].outputs[k], file);
-            used += snprintf(text + used, sizeof text - (size_t)used, "  - {%s, style: paper, size: [%d mm, %d mm], dpi: 381}\n",
-                             keys, size[0], size[1]);
-        }
-        drawn_run(text, &drawn);
+        char keys[100];
+        snprintf(keys, sizeof keys, "size: [%d mm, %d mm], dpi: 381", size[0], size[1]);
+        drawn_run_all(scenes[i].chains, scenes[i].outputs, OUTPUTS_MOST, keys, &drawn);
         page_laws(&drawn, size[0] * 72 / 25.4, size[1] * 72 / 25.4);
         for (size_t p = 0; p < drawn.pages; p++) {
             if (strstr(scenes[i].outputs[p], "[beads"))
