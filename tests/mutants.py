@@ -5,11 +5,12 @@
 
 Draws faults by seed, each one change of one line of the last commit: another comparison, operator or constant, two arguments
 swapped, a statement dropped (but none that frees: leaks are for the sanitizers). A fault that does not compile, or leaves the object
-file as it was, is none and is drawn again. Each meets the tests that run its line, those named like its file and then the quickest
-first, until one fails; which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes and golden pictures
-do not count: they say that something changed, not that it is wrong. What none notices meets the quickest again, its file compiled with
-the sanitizers of `make asan`, as .ci/run does for those that are not long: steps past an end of memory rarely change what is drawn.
-Prints each fault, then the survivors and the score of each room. tests/mutants.txt lists faults proved harmless, with reasons.
+file as it was, is none and is drawn again. Each meets the tests that run its line, until one fails; first those that are quick and
+have many of their lines in its file. Which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes and
+golden pictures do not count: they say that something changed, not that it is wrong. What none notices meets the first tests again, its
+file compiled with the sanitizers of `make asan`, as .ci/run does for those that are not long: steps past an end of memory rarely change
+what is drawn. Prints each fault with the CPU seconds of the tests that it met, then the survivors and the score of each room.
+tests/mutants.txt lists faults proved harmless, with reasons.
 
 Why not a tool: universalmutator (PyPI) draws from the same kind of patterns, but knows no map from lines to tests and runs all of
 them for each fault; Mull needs its own plugin for each release of LLVM, and tests that are one process. Neither is in Debian."""
@@ -23,7 +24,6 @@ import re
 import shutil
 import subprocess
 import threading
-import time
 
 NO_TRUTH = ("bits", "test_golden")
 # Warnings of these are errors here, too: the compiler notices such arguments, in newer releases as errors.
@@ -86,7 +86,8 @@ def run(command, folder, seconds=None, **more):
 
 def seconds_of(done):
     """Of CPU, as tests/run.sh has them."""
-    return float(re.search(r"([\d.]+) s of CPU", done.stdout)[1])
+    found = done and re.search(r"([\d.]+) s of CPU", done.stdout)
+    return float(found[1]) if found else 0
 
 
 def copy_of_commit(folder):
@@ -176,7 +177,7 @@ class Tree:
         return run(["make", "-s", "-j1", f"CFLAGS=-O2 {POINTERS}", "WERROR=", *targets], self.folder)
 
     def try_fault(self, fault, reached):
-        """None: it is none. Else the test that notices, "" where none does, and the seconds of all."""
+        """None: it is none. Else the test that notices, "" where none does, and the seconds of all that it met."""
         source = f"{self.folder}/{fault.file}"
         target = f"build/{fault.file[:-2]}.o"
         with open(source, encoding="utf-8") as file:
@@ -185,7 +186,6 @@ class Tree:
             as_it_was = file.read()
         lines = text.split("\n")
         lines[fault.number - 1] = fault.after
-        began = time.time()
         try:
             with open(source, "w", encoding="utf-8") as file:
                 file.write("\n".join(lines))
@@ -195,7 +195,8 @@ class Tree:
             with open(f"{self.folder}/{target}", "rb") as file:
                 if file.read() == as_it_was:
                     return None
-            return self.meet(fault, reached) or self.meet_sanitized(fault, target, reached), time.time() - began
+            noticed, spent = self.meet(fault, reached)
+            return noticed or self.meet_sanitized(fault, target, reached), spent
         finally:
             with open(source, "w", encoding="utf-8") as file:
                 file.write(text)
@@ -219,8 +220,16 @@ class Tree:
                 or [t for t in reached if any(os.path.dirname(file) == room for file in reached[t][1])])
 
     def in_order(self, fault, reached):
+        """A test named like the file is likelier to notice, and so is one of whose lines many are there; a script takes the time to
+        link the programs, too."""
         words = set(re.split(r"\W+|_", fault.file[:-2]))
-        return sorted(self.tests_that_run(fault, reached), key=lambda t: (not words & set(t.split("_")), reached[t][0]))
+
+        def seconds_a_share(test):
+            seconds, files = reached[test]
+            share = len(files.get(fault.file, ())) / sum(map(len, files.values()))
+            return (seconds + (0.3 if self.is_program(test) else 3)) / (share + 1e-6) / (3 if words & set(test.split("_")) else 1)
+
+        return sorted(self.tests_that_run(fault, reached), key=seconds_a_share)
 
     def is_program(self, test):
         return os.path.exists(f"{self.folder}/build/tests/{test}")
@@ -233,10 +242,10 @@ class Tree:
             return "the linker", 0
         if settings and not program:
             environment["ASAN_OPTIONS"] = "detect_leaks=0"
-        done = run(["tests/run.sh", "build", test], self.folder, 10 * reached[test][0] + 20, env=environment)
+        done = run(["tests/run.sh", "build", test], self.folder, 2 * reached[test][0] + 10, env=environment)
         good = done is not None and (not done.returncode or
                                      (settings and not program and not re.search("AddressSanitizer|runtime error:", done.stdout)))
-        return ("", seconds_of(done)) if good else (test, 0)
+        return "" if good else test, seconds_of(done)
 
     def meet(self, fault, reached):
         spent = 0
@@ -244,10 +253,10 @@ class Tree:
             if spent > self.most_seconds:
                 break
             noticed, seconds = self.fails(test, reached)
-            if noticed:
-                return noticed
             spent += seconds
-        return ""
+            if noticed:
+                return noticed, spent
+        return "", spent
 
     def has_own_allocator(self, test):
         """Such a program does not go together with the sanitizers' own, unless compiled with them, too."""
@@ -321,7 +330,8 @@ def main():
     print("\nNoticed, by room:")
     for room, (noticed, count) in sorted(rooms.items()):
         print(f"  {room:20} {noticed:4} of {count:4}")
-    print(f"{sum(bool(r[1]) for r in results)} of {len(results)} noticed, {sum(r[2] for r in results) / max(len(results), 1):.1f} s a fault")
+    print(f"{sum(bool(r[1]) for r in results)} of {len(results)} noticed, "
+          f"{sum(r[2] for r in results) / max(len(results), 1):.1f} s of CPU a fault")
 
 
 main()
