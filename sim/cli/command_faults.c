@@ -41,7 +41,8 @@ static void on_fault(int number, siginfo_t *info, void *)
 static void save_addresses(void)
 {
     struct rlimit addresses;
-    if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)
+    getrlimit(RLIMIT_AS, &addresses);
+    if (addresses.rlim_cur != RLIM_INFINITY)
         (void)mallopt(M_ARENA_MAX, 1);
 }
 
@@ -54,7 +55,8 @@ void command_take_room(void)
     static const size_t usual = 8 << 20;
     struct rlimit stack;
     pthread_attr_t attributes;
-    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= usual)
+    getrlimit(RLIMIT_STACK, &stack);
+    if (stack.rlim_cur >= usual)
         return;
     stack.rlim_cur = stack.rlim_max < usual ? stack.rlim_max : usual;
     (void)setrlimit(RLIMIT_STACK, &stack);
@@ -66,23 +68,25 @@ void command_take_room(void)
 }
 
 /* If the stack overflows, a handler needs another one; a sanitizer has its own. */
-static bool have_other_stack(void)
+static void take_other_stack(void)
 {
     static char room[64 << 10];
     stack_t before;
-    return sigaltstack(NULL, &before) == 0 &&
-           (!(before.ss_flags & SS_DISABLE) || sigaltstack(&(stack_t){.ss_sp = room, .ss_size = sizeof room}, NULL) == 0);
+    sigaltstack(NULL, &before);
+    if (before.ss_flags & SS_DISABLE)
+        sigaltstack(&(stack_t){.ss_sp = room, .ss_size = sizeof room}, NULL);
 }
 
 /* Signals that a debugger or sanitizer handles are left to it. */
-bool command_catch_faults(void)
+void command_catch_faults(void)
 {
     static const int faults[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS};
     struct sigaction fault = {.sa_sigaction = on_fault, .sa_flags = SA_NODEFER | SA_SIGINFO | SA_ONSTACK}, before;
     sigemptyset(&fault.sa_mask);
-    bool caught = have_other_stack();
-    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-        caught = caught && sigaction(faults[i], NULL, &before) == 0 &&
-                 (before.sa_handler != SIG_DFL || sigaction(faults[i], &fault, NULL) == 0);
-    return caught;
+    take_other_stack();
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+        sigaction(faults[i], NULL, &before);
+        if (before.sa_handler == SIG_DFL)
+            sigaction(faults[i], &fault, NULL);
+    }
 }

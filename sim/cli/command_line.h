@@ -162,8 +162,8 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
 enum bead_error command_new(const struct command *command, struct bead_message *msg);
 /* Sets the session whose unfinished files are removed if a fault ends the program; NULL: none. */
 void command_guard(struct bead_session *session);
-/* Installs the handlers. Returns false on failure. */
-bool command_catch_faults(void);
+/* Installs the handlers. */
+void command_catch_faults(void);
 /* Makes small stacks (ulimit -s) as large as usual, and spares addresses where they are few (ulimit -v). */
 void command_take_room(void);
 /* Prints words with names of files, or other text that may come from anybody, without control characters. */

@@ -163,7 +163,7 @@ static void on_signal(int number)
 
 /* The first signal ends the run in good order; a second of the same kind kills the program, but not that of a limit of CPU time,
  * which comes every second. */
-static enum bead_error catch_signals(struct bead_message *msg)
+static void catch_signals(void)
 {
     static const int stopping[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     static const int errors_of_write[] = {SIGPIPE, SIGXFSZ}; /* a closed pipe, a file-size limit: write() says so */
@@ -171,15 +171,16 @@ static enum bead_error catch_signals(struct bead_message *msg)
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigemptyset(&stop.sa_mask);
     sigemptyset(&ignore.sa_mask);
-    bool failed = !command_catch_faults() || sigaction(SIGHUP, NULL, &before) != 0;
-    bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
+    command_catch_faults();
+    sigaction(SIGHUP, NULL, &before);
+    const bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
     for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++) {
         stop.sa_flags = SA_RESTART | (stopping[i] == SIGXCPU ? 0 : (int)SA_RESETHAND);
-        failed = failed || (!(stopping[i] == SIGHUP && no_hangup) && sigaction(stopping[i], &stop, NULL) != 0);
+        if (!(stopping[i] == SIGHUP && no_hangup))
+            sigaction(stopping[i], &stop, NULL);
     }
     for (size_t i = 0; i < sizeof errors_of_write / sizeof *errors_of_write; i++)
-        failed = failed || sigaction(errors_of_write[i], &ignore, NULL) != 0;
-    return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
+        sigaction(errors_of_write[i], &ignore, NULL);
 }
 
 /* HDF5 files, and others that may have a scene in them, are read in a sandbox: if the kernel has none, the user should know.
@@ -232,7 +233,7 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     case COMMAND_RUN:
         break;
     }
-    BEAD_TRY(catch_signals(msg));
+    catch_signals();
     if (command->action == COMMAND_REPRODUCE)
         return command_reproduce(command, &stop_signal, msg);
     return (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
