@@ -140,8 +140,8 @@ struct bead_needs bead_profile_times_needs(const struct bead_profile_times *m)
 /* The first sample after the moment: interpolate linearly between it and the last one before. */
 static void complete(struct profile *p, const struct bead_sample *sample, const double *values, size_t count, double moment)
 {
-    double weight = fmin(1, fmax(0, (moment - p->time) / (sample->time - p->time)));
-    for (size_t i = 0; weight > 1e-6 && i < count; i++)
+    const double weight = (moment - p->time) / (sample->time - p->time);
+    for (size_t i = 0; i < count; i++)
         p->values[i] += weight * ((i < sample->active ? values[i] : 0) - p->values[i]);
     p->complete = true;
 }
