@@ -310,6 +310,7 @@ static void compare_lines(size_t scene, size_t output, const char *header, const
         rest = take_field(rest, column, sizeof column);
         for (int s = 0; s < 2; s++)
             at[s] = take_field(at[s], field[s], sizeof field[s]);
+        assert_true(*column);
         const bool rough = strstr(column, "uncertainty") != NULL;
         if (strcmp(column, "name") == 0)
             strcpy(name, field[0]);
@@ -324,6 +325,8 @@ static void compare_lines(size_t scene, size_t output, const char *header, const
             fail_msg("scene %zu, %s: %s %s: %s becomes %s", scene, scenes[scene].outputs[output].output, name, column, field[0],
                      field[1]);
     }
+    if (*at[0] && *at[0] != '\n')
+        fail_msg("scene %zu, %s: more fields than columns: %s", scene, scenes[scene].outputs[output].output, at[0]);
 }
 
 static void compare(size_t scene, size_t output)
