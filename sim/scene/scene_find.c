@@ -16,7 +16,7 @@ static const char extension[] = ".yaml";
 
 struct listing {
     struct bead_ready_scene *scenes;
-    size_t count;
+    size_t count, before; /* characters of a path before the name */
     struct bead_message *msg;
 };
 
@@ -31,32 +31,29 @@ static enum bead_error add(struct listing *list, const char *name, size_t length
                                      : bead_fail(list->msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
 }
 
-static enum bead_error walk(struct listing *list, const char *directory, const char *prefix, int depth);
+static enum bead_error walk(struct listing *list, const char *directory, int depth);
 
-static enum bead_error visit(struct listing *list, const char *directory, const char *prefix, const char *entry, int depth)
+static enum bead_error visit(struct listing *list, const char *directory, const char *entry, int depth)
 {
-    char path[PATH_MAX], name[PATH_MAX];
+    char path[PATH_MAX];
     struct stat status;
-    if (entry[0] == '.' || snprintf(path, sizeof path, "%s/%s", directory, entry) >= (int)sizeof path ||
-        snprintf(name, sizeof name, "%s%s", prefix, entry) >= (int)sizeof name - 1 || stat(path, &status))
+    const int length = snprintf(path, sizeof path, "%s/%s", directory, entry);
+    if (entry[0] == '.' || length >= (int)sizeof path || stat(path, &status))
         return BEAD_OK;
-    size_t length = strlen(name), suffix = strlen(extension);
-    if (S_ISDIR(status.st_mode)) {
-        strcat(name, "/");
-        return depth < DEEPEST ? walk(list, path, name, depth + 1) : BEAD_OK;
-    }
-    bool scene = length > suffix && strcmp(name + length - suffix, extension) == 0;
-    return scene ? add(list, name, length - suffix) : BEAD_OK;
+    if (S_ISDIR(status.st_mode))
+        return depth < DEEPEST ? walk(list, path, depth + 1) : BEAD_OK;
+    const size_t end = (size_t)length - strlen(extension);
+    return strcmp(path + end, extension) == 0 ? add(list, path + list->before, end - list->before) : BEAD_OK;
 }
 
-static enum bead_error walk(struct listing *list, const char *directory, const char *prefix, int depth)
+static enum bead_error walk(struct listing *list, const char *directory, int depth)
 {
     DIR *open = opendir(directory);
     enum bead_error err = BEAD_OK;
     if (!open)
         return bead_fail(list->msg, BEAD_ERROR_IO, "%s: %s", directory, strerror(errno));
     for (const struct dirent *entry; !err && (entry = readdir(open));)
-        err = visit(list, directory, prefix, entry->d_name, depth);
+        err = visit(list, directory, entry->d_name, depth);
     closedir(open);
     return err;
 }
@@ -70,9 +67,9 @@ static int by_name(const void *a, const void *b)
 static enum bead_error list_names(struct listing *list)
 {
     char directory[PATH_MAX];
-    enum bead_error err = bead_asset_path("scenes", directory, sizeof directory, list->msg);
-    if (!err)
-        err = walk(list, directory, "", 0);
+    BEAD_TRY(bead_asset_path("scenes", directory, sizeof directory, list->msg));
+    list->before = strlen(directory) + 1;
+    enum bead_error err = walk(list, directory, 0);
     if (!err && list->count > 1)
         qsort(list->scenes, list->count, sizeof *list->scenes, by_name);
     return err;
@@ -99,7 +96,7 @@ static enum bead_error read_title(struct bead_ready_scene *scene, struct bead_me
 
 enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg)
 {
-    struct listing list = {NULL, 0, msg};
+    struct listing list = {.msg = msg};
     *scenes = NULL;
     *count = 0;
     enum bead_error err = list_names(&list);
@@ -157,7 +154,7 @@ static void suggest_file(const char *name, char *text, size_t size)
 /* The error for a name that is neither a file nor a ready scene. */
 static enum bead_error not_found(const char *name, struct bead_message *msg)
 {
-    struct listing list = {NULL, 0, msg};
+    struct listing list = {.msg = msg};
     struct bead_suggest search;
     char near[400], shown[200];
     enum bead_error err = list_names(&list);
@@ -186,7 +183,7 @@ static bool may_be_ready(const char *name)
 /* "fig7" is thesis/fig7, unless another folder has one, too. */
 static bool find_in_folders(const char *name, char *path, size_t size)
 {
-    struct listing list = {NULL, 0, NULL};
+    struct listing list = {.msg = NULL};
     const char *found = NULL;
     size_t count = 0;
     char asset[1100];
