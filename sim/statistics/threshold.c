@@ -75,7 +75,7 @@ static bool find_regimes(const double *magnetism, const double *mean, size_t cou
         sum += mean[low];
     t->plateau = low > 0 ? sum / (double)low : NAN;
     t->low = t->high = NAN;
-    if (!(t->plateau > 0) || t->plateau >= 1)
+    if (!(t->plateau > 0))
         return false;
     /* From M = 1 down, so that random maxima at low M do not count. */
     for (size_t i = count; i-- > low && mean[i] >= sqrt(t->plateau);) {
@@ -88,7 +88,7 @@ static bool find_regimes(const double *magnetism, const double *mean, size_t cou
         xy += x * y;
     }
     t->rate = xx > 0 ? xy / xx : NAN;
-    return t->rate > 0;
+    return t->rate > 0; /* of a plateau above 1, no mean leads down to it */
 }
 
 static double mean_of(const struct bead_group_results *group, uint64_t seed, uint64_t stream, uint64_t *drawn)

@@ -302,15 +302,21 @@ static bool agree(const char *before, const char *after, double by, bool rough)
     return fabs(y - by * x) <= (rough ? 0.01 : 1e-11) * fabs(by * x) || (isnan(x) && isnan(y));
 }
 
+/* Columns of a table that have a number other than 0 somewhere, or a word. */
+static bool told[64];
+
 static void compare_lines(size_t scene, size_t output, const char *header, const char *const line[2])
 {
-    char column[200], field[2][200], name[200] = "", unit[200] = "";
+    char column[200], field[2][200], name[200] = "", unit[200] = "", *end = "";
     const char *at[2] = {line[0], line[1]};
+    bool *tells = told;
     for (const char *rest = header; *rest;) {
         rest = take_field(rest, column, sizeof column);
         for (int s = 0; s < 2; s++)
             at[s] = take_field(at[s], field[s], sizeof field[s]);
         assert_true(*column);
+        *tells = *tells || fabs(strtod(field[0], &end)) > 0 || *end;
+        tells++;
         const bool rough = strstr(column, "uncertainty") != NULL;
         if (strcmp(column, "name") == 0)
             strcpy(name, field[0]);
@@ -329,6 +335,26 @@ static void compare_lines(size_t scene, size_t output, const char *header, const
         fail_msg("scene %zu, %s: more fields than columns: %s", scene, scenes[scene].outputs[output].output, at[0]);
 }
 
+/* What one scene or another need not have: a kind of energy, a state, a threshold, a limit, an error of what is exact. */
+static const char *const unsaid[] = {"wall_J", "gravity_J", "springs_J", "dissipated_J", "work_J", "state", "front_uncertainty",
+                                     "found_Hz_uncertainty", "exact_Hz", "curve", "slope", "plateau", "threshold", "_exponent",
+                                     "unit", "note"};
+
+/* Each other column has a number or a word in some line. */
+static void check_told(size_t scene, size_t output, const char *header)
+{
+    char column[200];
+    const bool *tells = told;
+    for (const char *rest = header; *rest; tells++) {
+        bool may_be_silent = false;
+        rest = take_field(rest, column, sizeof column);
+        for (size_t i = 0; i < sizeof unsaid / sizeof *unsaid; i++)
+            may_be_silent = may_be_silent || strstr(column, unsaid[i]);
+        if (!*tells && !may_be_silent)
+            fail_msg("scene %zu, %s: nothing in column %s", scene, scenes[scene].outputs[output].output, column);
+    }
+}
+
 static void compare(size_t scene, size_t output)
 {
     static char text[2][BYTES_MOST];
@@ -344,12 +370,15 @@ static void compare(size_t scene, size_t output)
     snprintf(header, sizeof header, "%.*s", (int)strcspn(line[0], "\n"), line[0]);
     while (*line[0] && *line[1]) {
         compare_lines(scene, output, header, line);
+        if (line[0] == text[0])
+            memset(told, 0, sizeof told); /* names are no numbers */
         for (int s = 0; s < 2; s++) {
             line[s] += strcspn(line[s], "\n");
             line[s] += *line[s] == '\n';
         }
     }
     assert_true(!*line[0] && !*line[1]);
+    check_told(scene, output, header);
 }
 
 static const struct {

@@ -16,6 +16,16 @@ static void summaries(void **state)
     assert_near(s.quartile[1], 4, 0);
     assert_near(s.deviation, sqrt(12.5), 1e-14);
     assert_near(s.standard_error, sqrt(2.5), 1e-14);
+    /* Of equal steps, quantiles are where a rule would have them. */
+    for (size_t n = 2; n <= 5; n++) {
+        for (size_t i = 0; i < n; i++)
+            values[i] = 2 * (double)(n - 1 - i);
+        bead_summary_of(values, n, &s);
+        const double length = 2 * (double)(n - 1);
+        assert_true(s.low == 0 && s.high == length && s.median == length / 2);
+        assert_true(s.quartile[0] == length / 4 && s.quartile[1] == 3 * length / 4);
+    }
+    values[0] = 1;
     bead_summary_of(values, 1, &s);
     assert_true(s.mean == 1 && s.median == 1 && isnan(s.standard_error));
     bead_summary_of(values, 0, &s);
