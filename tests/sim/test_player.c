@@ -43,35 +43,82 @@ static const struct bead_outcome *finish(struct bead_player *player)
     return outcome;
 }
 
-/* The same chain from text and from arrays: the same peaks, to the bit. */
-static void chain_from_arrays_is_that_of_a_scene(void **state)
+static void assert_same_chain(const struct bead_chain *a, const struct bead_chain *b)
 {
-    (void)state;
-    const struct bead_properties cell[] = {steel, aluminium};
-    struct bead_chain *made = make(&(struct bead_chain_settings){.size = sizeof(struct bead_chain_settings),
-                                                                 .beads = cell,
-                                                                 .count = 2,
-                                                                 .repeat = 10,
-                                                                 .velocity = 0.443,
-                                                                 .wall = BEAD_WALL_MATERIAL,
-                                                                 .wall_material = brass,
-                                                                 .precompression = 3});
-    struct built built =
-        build("chain: {beads: [{cell: [large-steel, aluminium], count: 10}], wall: brass, precompression: 3 N}\n", "");
-    assert_int_equal(bead_chain_contacts(made), 21);
-    struct bead_player *player[] = {start((struct bead_player_settings){.chain = made, .contact_peaks = true}),
-                                    start((struct bead_player_settings){.chain = built.chain, .contact_peaks = true})};
-    const struct bead_outcome *outcome[] = {finish(player[0]), finish(player[1])};
-    for (size_t k = 0; k < 21; k++) {
-        assert_true(outcome[0]->contact_peaks[k].value == outcome[1]->contact_peaks[k].value);
-        assert_true(outcome[0]->contact_peaks[k].time == outcome[1]->contact_peaks[k].time);
+    const double *(*const of_beads[])(const struct bead_chain *) = {bead_chain_mass, bead_chain_radius, bead_chain_position},
+                                                              *(*const of_contacts[])(const struct bead_chain *) = {
+                                                                  bead_chain_stiffness, bead_chain_static_force,
+                                                                  bead_chain_static_compression};
+    const size_t beads = bead_chain_beads(a), contacts = bead_chain_contacts(a);
+    assert_true(bead_chain_beads(b) == beads && bead_chain_contacts(b) == contacts);
+    for (int i = 0; i < 3; i++) {
+        assert_memory_equal(of_beads[i](a), of_beads[i](b), beads * sizeof(double));
+        assert_memory_equal(of_contacts[i](a), of_contacts[i](b), contacts * sizeof(double));
     }
-    assert_true(outcome[0]->end == outcome[1]->end);
-    assert_null(outcome[0]->contact_uncertainty);
-    bead_player_destroy(player[0]);
-    bead_player_destroy(player[1]);
-    bead_chain_destroy(made);
-    release(&built);
+    assert_true(bead_chain_energy(a) == bead_chain_energy(b));
+    assert_string_equal(bead_chain_spins(a), bead_chain_spins(b));
+}
+
+static void assert_same_run(const struct bead_chain *a, const struct bead_chain *b)
+{
+    const struct bead_chain *const chains[] = {a, b};
+    struct bead_player *player[2];
+    const struct bead_outcome *of[2];
+    for (int i = 0; i < 2; i++) {
+        player[i] = start((struct bead_player_settings){.chain = chains[i], .contact_peaks = true});
+        of[i] = finish(player[i]);
+        assert_null(of[i]->contact_uncertainty);
+    }
+    for (size_t k = 0; k < bead_chain_contacts(a); k++) {
+        assert_true(of[0]->contact_peaks[k].value == of[1]->contact_peaks[k].value);
+        assert_true(of[0]->contact_peaks[k].time == of[1]->contact_peaks[k].time);
+    }
+    assert_true(of[0]->end == of[1]->end && of[0]->steps == of[1]->steps && of[0]->energy_end == of[1]->energy_end);
+    for (int i = 0; i < 2; i++)
+        bead_player_destroy(player[i]);
+}
+
+/* The same chain from text and from arrays: the same numbers, to the bit. */
+static void chain_from_arrays_is_that_of_a_scene(void **)
+{
+    const struct bead_properties cell[] = {steel, aluminium};
+    const struct {
+        const char *scene;
+        struct bead_chain_settings made;
+    } chains[] = {
+        {"beads: [{cell: [large-steel, aluminium], count: 10}], wall: brass, precompression: 3 N",
+         {.count = 2, .repeat = 10, .velocity = 0.443, .wall = BEAD_WALL_MATERIAL, .wall_material = brass, .precompression = 3}},
+        {"striker: {bead: aluminium, velocity: 0.3 m/s}, beads: [{cell: [large-steel, aluminium], count: 5}], wall: rigid",
+         {.count = 2, .repeat = 5, .velocity = 0.3, .striker = aluminium, .wall = BEAD_WALL_RIGID}},
+        {"striker: {bead: large-steel, velocity: 0.3 m/s}, beads: [{bead: large-steel, count: 8}], wall: brass, tilt: 0.5 rad, "
+         "damping: {coefficient: 2, exponent: 1.8}",
+         {.count = 1,
+          .repeat = 8,
+          .velocity = 0.3,
+          .wall = BEAD_WALL_MATERIAL,
+          .wall_material = brass,
+          .tilt = 0.5,
+          .damping_coefficient = 2}},
+        {"striker: {bead: large-steel, velocity: 0.3 m/s}, beads: [{bead: large-steel, count: 8}], damping: {coefficient: 2, "
+         "exponent: 1.25}",
+         {.count = 1, .repeat = 8, .velocity = 0.3, .damping_coefficient = 2, .damping_exponent = 1.25}},
+        {"striker: {bead: large-steel, velocity: 0.3 m/s}, beads: [{cell: [large-steel, aluminium]}], law: {power: 2.25, "
+         "coefficient: 1e+12}",
+         {.count = 2, .velocity = 0.3, .law = {.row = bead_law_find("power"), .power = 2.25, .coefficient = 1e12}}},
+    };
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+        char text[400];
+        struct bead_chain_settings settings = chains[i].made;
+        settings.size = sizeof settings;
+        settings.beads = cell;
+        snprintf(text, sizeof text, "chain: {%s}\n", chains[i].scene);
+        struct built built = build(text, "");
+        struct bead_chain *made = make(&settings);
+        assert_same_chain(made, built.chain);
+        assert_same_run(made, built.chain);
+        bead_chain_destroy(made);
+        release(&built);
+    }
 }
 
 /* Exactly the peaks that are lower than those of a run over the same time, which search all of it, are said to be exceeded. */
@@ -99,26 +146,23 @@ static void tell_later_forces(const char *chain)
     release(&built);
 }
 
-static void later_forces_are_told(void **state)
+static void later_forces_are_told(void **)
 {
-    (void)state;
     tell_later_forces("chain: {striker: {velocity: 1 m/s}, wall: rigid, "
                       "beads: [{cell: [aluminium, ptfe], count: 12, spins: random, seed: 1}]}\n");
 }
 
 /* Contact 8 is higher than its first peak as the run ends, within its last step. */
-static void later_forces_of_last_steps_are_told(void **state)
+static void later_forces_of_last_steps_are_told(void **)
 {
-    (void)state;
     tell_later_forces("materials: {m: {density: 3308.9, modulus: 5.7834 GPa, poisson: 0.446, radius: 7.0009 mm}}\n"
                       "chain: {striker: {bead: m, velocity: 5.2246 m/s}, wall: rigid,\n"
                       "  law: {fpu-alpha: 8.42, stiffness: 5.14e+08}, beads: [{bead: m, count: 10}]}\n");
 }
 
 /* Contact 13 is higher later by 2.4e-4, within a step, and lower at both ends of it. */
-static void later_forces_within_steps_are_told(void **state)
+static void later_forces_within_steps_are_told(void **)
 {
-    (void)state;
     tell_later_forces("materials:\n"
                       "  big: {density: 1109.7, modulus: 18.168 GPa, poisson: 0.181, radius: 19.043 mm}\n"
                       "  small: {density: 6475.9, modulus: 2.4393 GPa, poisson: 0.211, radius: 2.6901 mm}\n"
@@ -128,9 +172,8 @@ static void later_forces_within_steps_are_told(void **state)
                       "  {bead: small, count: 3}, {bead: big, count: 2}, {bead: small}, {bead: big, count: 2}]}\n");
 }
 
-static void mass_follows_from_density(void **state)
+static void mass_follows_from_density(void **)
 {
-    (void)state;
     const struct bead_properties bead = {.radius = 1e-2, .density = 7800, .modulus = 1e9, .poisson = 0.3};
     struct bead_chain *chain =
         make(&(struct bead_chain_settings){.size = sizeof(struct bead_chain_settings), .beads = &bead, .count = 1, .velocity = 1});
@@ -140,9 +183,8 @@ static void mass_follows_from_density(void **state)
     bead_chain_destroy(chain);
 }
 
-static void wrong_chains_say_what_is_wrong(void **state)
+static void wrong_chains_say_what_is_wrong(void **)
 {
-    (void)state;
     const struct bead_properties heavy = {.radius = 1e-3, .density = 1, .mass = 1, .modulus = 1, .poisson = 0.3};
     const struct bead_properties soft[] = {steel, {.radius = 1e-3, .density = 1, .modulus = -1, .poisson = 0.3}};
     const struct bead_properties flat = {.radius = 1e-3, .density = 1, .modulus = 1, .poisson = 0.6};
@@ -188,9 +230,8 @@ static void wrong_chains_say_what_is_wrong(void **state)
 
 /* What is at the end of a range is allowed. A chain that stands on a wall bears its weight, bead by bead, before the striker comes.
  */
-static void ends_of_ranges_are_allowed(void **state)
+static void ends_of_ranges_are_allowed(void **)
 {
-    (void)state;
     struct bead_properties rubber = steel;
     rubber.poisson = 0.5;
     struct bead_chain_settings settings = {.size = sizeof settings,
@@ -244,9 +285,8 @@ static struct bead_player_settings taking(const struct bead_chain *chain, struct
 }
 
 /* In one go, step by step, and from time to time: the same samples and the same peaks. */
-static void ways_to_play_are_one(void **state)
+static void ways_to_play_are_one(void **)
 {
-    (void)state;
     struct bead_chain *chain = make_steel(15);
     struct taken taken[3] = {{0}, {0}, {0}};
     double peak[3];
@@ -271,9 +311,8 @@ static void ways_to_play_are_one(void **state)
     bead_chain_destroy(chain);
 }
 
-static void state_between_steps(void **state)
+static void state_between_steps(void **)
 {
-    (void)state;
     struct bead_message msg = {""};
     struct bead_sample sample;
     struct bead_chain *chain = make_steel(15);
@@ -292,9 +331,8 @@ static void state_between_steps(void **state)
     bead_chain_destroy(chain);
 }
 
-static void uncertainty_is_that_asked_for(void **state)
+static void uncertainty_is_that_asked_for(void **)
 {
-    (void)state;
     struct bead_chain *chain = make_steel(15);
     struct bead_player *player = start((struct bead_player_settings){.chain = chain, .contact_peaks = true, .uncertainty = true});
     const struct bead_outcome *outcome = finish(player);
@@ -308,9 +346,8 @@ static void uncertainty_is_that_asked_for(void **state)
 }
 
 /* A finished player can do nothing more, and a failed one keeps failing. */
-static void calls_out_of_order_fail(void **state)
+static void calls_out_of_order_fail(void **)
 {
-    (void)state;
     struct bead_message msg = {""};
     const struct bead_outcome *outcome;
     struct bead_sample sample;
@@ -350,9 +387,8 @@ static void calls_out_of_order_fail(void **state)
     bead_chain_destroy(chain);
 }
 
-static void stopped_players_go_on(void **state)
+static void stopped_players_go_on(void **)
 {
-    (void)state;
     struct bead_message msg = {""};
     const struct bead_outcome *outcome;
     struct bead_chain *chain = make_steel(15);
@@ -375,9 +411,8 @@ static void stopped_players_go_on(void **state)
     bead_chain_destroy(chain);
 }
 
-static void wrong_settings_say_what_is_wrong(void **state)
+static void wrong_settings_say_what_is_wrong(void **)
 {
-    (void)state;
     struct bead_chain *chain = make_steel(5);
     static const char text[] = "chain: {equation: fput, points: 31, start: {pulse: 0.1, width: 5, at: 15}}\n"
                                "simulate: {until: 10}\noutputs: [{trajectory: a.h5}]\n";
@@ -419,9 +454,8 @@ static void wrong_settings_say_what_is_wrong(void **state)
 }
 
 /* A run is over at its end, or at that of the passage, and whenever it has been finished, not before. */
-static void runs_are_over_at_their_end(void **state)
+static void runs_are_over_at_their_end(void **)
 {
-    (void)state;
     struct bead_message msg = {""};
     const struct bead_outcome *outcome;
     struct bead_chain *chain = make_steel(15);

@@ -336,9 +336,22 @@ static void compare_lines(size_t scene, size_t output, const char *header, const
 }
 
 /* What one scene or another need not have: a kind of energy, a state, a threshold, a limit, an error of what is exact. */
-static const char *const unsaid[] = {"wall_J", "gravity_J", "springs_J", "dissipated_J", "work_J", "state", "front_uncertainty",
-                                     "found_Hz_uncertainty", "exact_Hz", "curve", "slope", "plateau", "threshold", "_exponent",
-                                     "unit", "note"};
+static const char *const unsaid[] = {"wall_J",
+                                     "gravity_J",
+                                     "springs_J",
+                                     "dissipated_J",
+                                     "work_J",
+                                     "state",
+                                     "front_uncertainty",
+                                     "found_Hz_uncertainty",
+                                     "exact_Hz",
+                                     "curve",
+                                     "slope",
+                                     "plateau",
+                                     "threshold",
+                                     "_exponent",
+                                     "unit",
+                                     "note"};
 
 /* Each other column has a number or a word in some line. */
 static void check_told(size_t scene, size_t output, const char *header)
