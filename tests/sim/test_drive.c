@@ -33,6 +33,36 @@ static void derivatives_belong_to_the_wave(void **state)
     }
 }
 
+/* A wave breaks where its ramp ends, at each knot of noise, two of which are in a period, and at each point. */
+static void waves_break_where_they_are_put_together(void **)
+{
+    static const struct {
+        const char *wave;
+        double every, points[3];
+    } waves[] = {{"force: sine, frequency: 5 kHz", INFINITY, {0}},
+                 {"force: noise, frequency: 4 kHz, seed: 3", 1.25e-4, {0}},
+                 {"displacement: noise, frequency: 0.7 kHz", 1 / 1.4e3, {0}},
+                 {"displacement: '0 0, 2e-4 1, 9e-4 -0.5, 3e-3 1'", INFINITY, {2e-4, 9e-4, 3e-3}}};
+    const double ramp = 1e-3, end = 4e-3;
+    for (size_t i = 0; i < sizeof waves / sizeof *waves; i++) {
+        char text[300];
+        snprintf(text, sizeof text, MATERIAL "chain: {" UNIT "beads: [{bead: unit}], drive: {%s, amplitude: 2, ramp: 1 ms}}\n",
+                 waves[i].wave);
+        struct built b = build(text, "until: 4 ms");
+        for (double t = 0.1234e-4; t < end; t += 0.3137e-4) {
+            double next = ramp > t ? ramp : INFINITY;
+            for (double knot = waves[i].every; knot < 2 * end && isfinite(knot); knot += waves[i].every)
+                next = knot > t ? fmin(next, knot) : next;
+            for (int k = 0; k < 3; k++)
+                next = waves[i].points[k] > t ? fmin(next, waves[i].points[k]) : next;
+            const double found = bead_drive_break(b.chain, t);
+            if (!(found == next || fabs(found - next) < 1e-12))
+                fail_msg("%s: behind %g s the next break is at %.17g s, not %.17g s", waves[i].wave, t, found, next);
+        }
+        release(&b);
+    }
+}
+
 /* Noise has the requested standard deviation, and no mean. */
 static void noise_has_its_amplitude(void **state)
 {
@@ -291,6 +321,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(derivatives_belong_to_the_wave),
         cmocka_unit_test(noise_has_its_amplitude),
+        cmocka_unit_test(waves_break_where_they_are_put_together),
         cmocka_unit_test(lone_beads_follow_a_force),
         cmocka_unit_test(beyond_the_band_waves_decay),
         cmocka_unit_test(work_is_the_energy),

@@ -277,11 +277,97 @@ static void measures_are_checked_by_name(void **state)
     assert_true(isnan(bead_measure_uncertainty(&measures[2], checks, 3)));
 }
 
+/* Forces that rise and fall between HUMPS maxima and the minima before, between and after them, by half a cosine each. */
+enum { HUMPS = 9, HALF = 24, TRAINS = 40 };
+
+struct train {
+    double top[HUMPS], dip[HUMPS + 1]; /* N; the dips before the first and behind the last are 0 */
+};
+
+static double random_of(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 40) / 0x1p24;
+}
+
+static struct train draw_train(uint64_t *state)
+{
+    struct train t = {.dip = {0}};
+    for (int i = 0; i < HUMPS; i++)
+        t.top[i] = pow(10, -3 * random_of(state) * random_of(state));
+    for (int i = 1; i < HUMPS; i++)
+        t.dip[i] =
+            fmin(t.top[i - 1], t.top[i]) * (random_of(state) < 0.5 ? 0.09 * random_of(state) : 0.11 + 0.8 * random_of(state));
+    return t;
+}
+
+static double force_of_train(const struct train *t, size_t index)
+{
+    const size_t half = index / HALF, hump = half / 2;
+    if (hump >= HUMPS)
+        return 0;
+    const double part = 0.5 - 0.5 * cos(M_PI * (double)(index % HALF) / HALF);
+    const double from = half % 2 ? t->top[hump] : t->dip[hump], to = half % 2 ? t->dip[hump + 1] : t->top[hump];
+    return from + part * (to - from);
+}
+
+/* A pulse is a maximum before and behind which the force falls to a tenth of it, or of a neighbour that is lower. */
+static void assert_pulses(const struct bead_track *track, const struct train *t)
+{
+    size_t count = 0, best[HUMPS];
+    double low = 0;
+    for (size_t i = 0; i < HUMPS; i++) {
+        low = fmin(low, t->dip[i]);
+        const bool same = count > 0 && low > 0.1 * fmin(t->top[best[count - 1]], t->top[i]);
+        if ((same && t->top[i] <= t->top[best[count - 1]]) || (count > 0 && t->top[i] < 5e-3 * t->top[best[0]]))
+            continue;
+        if (!same && count == BEAD_PULSES)
+            continue;
+        best[same ? count - 1 : count++] = i;
+        low = INFINITY;
+    }
+    assert_int_equal(track->count, count);
+    for (size_t n = 0; n < count; n++) {
+        assert_near(track->pulse[n].force, t->top[best[n]], 2e-4 * t->top[best[n]]);
+        assert_near(track->pulse[n].time, (double)((2 * best[n] + 1) * HALF),
+                    0.25); /* measured: 0.2 of a sample; the bend of the force jumps there */
+    }
+    assert_true(track->late.force == 0);
+}
+
+static void pulses_are_apart_where_the_force_falls(void **)
+{
+    uint64_t state = 1;
+    struct built built = build("chain: {beads: [{bead: large-steel, count: 8}]}\n", "until: 1 us");
+    for (int n = 0; n < TRAINS; n++) {
+        struct bead_message msg = {""};
+        struct bead_pulses *pulses;
+        struct train train[8];
+        double force[8];
+        if (bead_pulses_create(built.chain, 6, &pulses, &msg))
+            fail_msg("%s", msg.text);
+        for (int k = 0; k < 8; k++)
+            train[k] = draw_train(&state);
+        for (size_t i = 0; i <= 2 * HUMPS * HALF; i++) {
+            for (int k = 0; k < 8; k++)
+                force[k] = force_of_train(&train[k], i);
+            bead_pulses_feed(pulses,
+                             &(struct bead_sample){.time = (double)i, .active = 9, .field[BEAD_FIELD_CONTACT_FORCE] = force});
+        }
+        bead_pulses_end(pulses);
+        for (int k = 0; k < 8; k++)
+            assert_pulses(&pulses->track[k], &train[k]);
+        bead_pulses_destroy(pulses);
+    }
+    release(&built);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tail_ends_with_the_chain),    cmocka_unit_test(tails_are_long_enough),
-        cmocka_unit_test(measures_are_checked_by_name),    cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
-        cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum), cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
+        cmocka_unit_test(the_tail_ends_with_the_chain),          cmocka_unit_test(tails_are_long_enough),
+        cmocka_unit_test(measures_are_checked_by_name),          cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
+        cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum),       cmocka_unit_test(a_pulse_is_what_it_was_made_of),
+        cmocka_unit_test(pulses_are_apart_where_the_force_falls)};
     return cmocka_run_group_tests_name("measure_parts", tests, NULL, NULL);
 }
