@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A scene may be written in other words: reversed cells of the other spin, beads one by one, other units, defaults spelled out, the
+ * digits that random spins have. All tables are the same to the last byte. */
+#include "support.h"
+
+#include <sys/stat.h>
+
+#include "sessions.h"
+#include "tests/scratch.h"
+
+#define STRUCK "striker: {bead: large-steel, velocity: 0.443 m/s}, "
+#define OF_BEADS                                                                                                                 \
+    ", until: 5e-4 s",                                                                                                           \
+    {                                                                                                                            \
+        "peaks", "bead-peaks", "measures", "energy", "energy, parts: place", "profiles, at: [5e-5 s]", "sensors, beads: [2, 5]", \
+            "spreading", "sensitivities"                                                                                         \
+    }
+#define OF_SWEEP                                               \
+    "",                                                        \
+    {                                                          \
+        "statistics", "configurations", "sensors, every: 5 us" \
+    }
+static const struct {
+    const char *one, *other; /* its chain, and what follows */
+    const char *simulate;    /* more than nothing: part of `simulate` */
+    const char *shows[10];
+} pairs[] = {
+    {"chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: '1101001'}, {bead: small-steel, count: 3}]}",
+     "chain: {" STRUCK "beads: [{cell: [aluminium, large-steel], spins: '0010110'}, {bead: small-steel, count: 3}]}", OF_BEADS},
+    {"chain: {" STRUCK "beads: [{cell: [large-steel, ptfe, aluminium], spins: '110100', gap: 0}], wall: brass}",
+     "chain: {" STRUCK "beads: [{cell: [aluminium, ptfe, large-steel], spins: '001011'}], wall: brass}", OF_BEADS},
+    {"chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: random, seed: 11, count: 9}]}", NULL, OF_BEADS},
+    {"chain: {" STRUCK "beads: [{bead: large-steel, count: 4}, {bead: aluminium, count: 3}], precompression: 2 N}",
+     "chain: {" STRUCK "beads: [{bead: large-steel, count: 1}, {bead: large-steel}, {bead: large-steel, count: 2}, {bead: "
+     "aluminium}, {bead: aluminium, count: 2}], precompression: 2000 mN}",
+     OF_BEADS},
+    {"chain: {beads: [{bead: large-steel, count: 8}]}",
+     "chain: {striker: {bead: large-steel, velocity: 443 mm/s}, beads: [{bead: large-steel, count: 8}], law: hertz, wall: none, "
+     "gap: 0 m, tilt: 0 deg}",
+     OF_BEADS},
+    {"materials: {m: {mass: 2 g, radius: 5 mm, modulus: 50 GPa, poisson: 0.25}}\nchain: {" STRUCK "beads: [{bead: m, count: 8}]}",
+     "materials: {m: {mass: 0.002 kg, radius: 0.005 m, modulus: 5e4 MPa, poisson: 0.25, label: M}}\nchain: {" STRUCK
+     "beads: [{bead: m, count: 8}]}",
+     OF_BEADS},
+    {"chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: random, count: 5}, {bead: aluminium, sensor: s}]}\n"
+     "sweep: {over: {chain.beads.0.seed: 1..3}}",
+     "chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: random, count: 5}, {bead: aluminium, sensor: s}]}\n"
+     "sweep: {over: {chain.beads.0.seed: [1, 2, 3]}}",
+     OF_SWEEP},
+};
+
+/* The chain of `text` with the spins that are drawn for it. */
+static const char *with_digits(const char *text)
+{
+    static char spelled[1000];
+    const char *random = strstr(text, "random, seed: 11");
+    char line[1000];
+    snprintf(line, sizeof line, "%s\n", text);
+    struct built built = build(line, "");
+    snprintf(spelled, sizeof spelled, "%.*s'%s'}]}", (int)(random - text), text, bead_chain_spins(built.chain));
+    release(&built);
+    return spelled;
+}
+
+static void play(size_t pair, bool other)
+{
+    char text[3000], path[600], out[600];
+    const char *chain = !other ? pairs[pair].one : pairs[pair].other ? pairs[pair].other : with_digits(pairs[pair].one);
+    size_t used = (size_t)snprintf(text, sizeof text, "%s\nsimulate: {%s%s}\noutputs:\n", chain,
+                                   other ? "accuracy: 1.0e-6, method: auto" : "accuracy: 1e-6", pairs[pair].simulate);
+    for (size_t i = 0; i < sizeof pairs->shows / sizeof *pairs->shows && pairs[pair].shows[i]; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "  - {table: %zu.csv, show: %s}\n", i, pairs[pair].shows[i]);
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    snprintf(out, sizeof out, "%s/%d", directory, other);
+    mkdir(out, 0777);
+    write_text(path, text);
+    play_counts((struct bead_job){.input = path, .output = out, .threads = 1});
+}
+
+static size_t read_table_of(bool other, size_t output, char *text, size_t size)
+{
+    char path[600];
+    snprintf(path, sizeof path, "%s/%d/%zu.csv", directory, other, output);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    const size_t length = fread(text, 1, size - 1, file);
+    text[length] = '\0';
+    fclose(file);
+    return length;
+}
+
+static void scenes_mean_the_same_in_other_words(void **)
+{
+    static char text[2][1 << 16];
+    for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
+        for (int other = 0; other < 2; other++)
+            play(p, other);
+        for (size_t i = 0; i < sizeof pairs->shows / sizeof *pairs->shows && pairs[p].shows[i]; i++) {
+            for (int other = 0; other < 2; other++)
+                assert_true(read_table_of(other, i, text[other], sizeof text[other]) > 100);
+            size_t at = 0;
+            while (text[0][at] && text[0][at] == text[1][at])
+                at++;
+            if (text[0][at] || text[1][at])
+                fail_msg("pair %zu, %s: %.60s, or %.60s", p, pairs[p].shows[i], text[0] + at, text[1] + at);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(scenes_mean_the_same_in_other_words)};
+    return cmocka_run_group_tests_name("spelled", tests, make_directory, remove_directory);
+}
