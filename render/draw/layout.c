@@ -83,7 +83,7 @@ static bool close_some(struct bead_lanes *l, double room)
     for (size_t i = 0; i < l->count; i++) {
         struct bead_lane *lane = &l->lane[i];
         const double part = px * lane->share, size = is_open(lane) ? within(lane, part) : part;
-        if (size == part || (over > 0 ? size < part : over < 0 && size > part))
+        if (size == part || (over > 0) == (size < part))
             continue;
         lane->size = size;
         any = true;
