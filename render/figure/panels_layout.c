@@ -74,15 +74,18 @@ static bool one_group(const struct still_panel *a, const struct still_panel *b)
     return a && b && a->figure && b->figure && a->group == b->group;
 }
 
-/* A bar is to the right of the last panel of its group in a row. If the row above has the same bar in the same column, that bar
- * extends down instead. */
-static bool has_own_bar(const struct bead_still *s, const struct still_panel *panel)
+/* A bar is to the right of the last panel of its group in a row. */
+static bool ends_group(const struct bead_still *s, const struct still_panel *panel)
+{
+    return !one_group(panel, panels_at(s, panel->row, panel->column + 1));
+}
+
+/* If the row above has the same bar in the same column, that bar extends down instead. */
+static bool has_bar_of_above(const struct bead_still *s, const struct still_panel *panel)
 {
     const struct still_panel *above = panel->row > 0 ? panels_at(s, panel->row - 1, panel->column) : NULL;
-    bool last = !one_group(panel, panels_at(s, panel->row, panel->column + 1));
-    bool above_last = above && !one_group(above, panels_at(s, above->row, above->column + 1));
-    bool aligned = above && panels_columns(s, panel->row) == panels_columns(s, above->row);
-    return last && !(aligned && above_last && one_group(panel, above));
+    return one_group(panel, above) && ends_group(s, panel) && ends_group(s, above) &&
+           panels_columns(s, panel->row) == panels_columns(s, above->row);
 }
 
 static struct bead_axis_kind axis_of(const struct still_panel *panel, bool upright)
@@ -120,7 +123,7 @@ static void share(struct bead_still *s)
         const struct still_panel *left = panel->column > 0 ? panels_at(s, panel->row, panel->column - 1) : NULL;
         panel->set.no_across = numbers_below(s, panel->row);
         panel->set.no_upwards = panel->figure && left && left->figure && same_axis(panel, left, true);
-        panel->set.no_bar = panel->figure && !has_own_bar(s, panel);
+        panel->set.no_bar = panel->figure && (!ends_group(s, panel) || has_bar_of_above(s, panel));
         if (panel->figure)
             panel->figure->set = panel->set;
     }
@@ -249,11 +252,9 @@ static void stretch_bars(struct bead_still *s)
         size_t row = panel->row;
         if (!panel->figure || panel->set.no_bar)
             continue;
-        const struct still_panel *last = panel;
-        for (const struct still_panel *below; (below = panels_at(s, ++row, panel->column)) != NULL; last = below) {
-            if (!one_group(panel, below) || one_group(below, panels_at(s, row, panel->column + 1)) || !below->set.no_bar)
-                break;
-        }
+        const struct still_panel *last = panel, *below;
+        while ((below = panels_at(s, ++row, panel->column)) && has_bar_of_above(s, below))
+            last = below;
         struct bead_rect *bar = &panel->figure->bar;
         if (last != panel && bar->width > 0)
             bar->height = last->area.y + last->area.height - (int)last->insets.bottom - bar->y;
