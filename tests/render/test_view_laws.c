@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Other ways to the same film of each view. What is shown does not depend on when it begins, how long it takes, in which units the
- * values are, where the plot is, or how many samples there are on a straight line; a part of a chain looks as a chain of its own,
- * and a wave from the other end as its mirror image. */
+ * values and lengths are, where the plot is, or how many samples there are on a straight line; a part of a chain looks as a chain
+ * of its own, and a wave from the other end as its mirror image. */
 #include "view_films.h"
 
 #include "render/draw/axis.h"
@@ -58,7 +58,7 @@ static void assert_same_film(const struct film *one, const struct film *other, c
     close_shown(&b);
 }
 
-enum law { LATER = 1, SLOWER = 2, STRONGER = 4, ELSEWHERE = 8, FINELY = 16, ALL = 31 };
+enum law { LATER = 1, SLOWER = 2, STRONGER = 4, ELSEWHERE = 8, FINELY = 16, LARGER = 32, ALL = 63 };
 
 /* Strikers have the speed of the scene, which cameras wait for, too; the line of theory is that of a wave from time 0 on, with a
  * speed; and the horizon is at a sample. */
@@ -66,10 +66,10 @@ enum law { LATER = 1, SLOWER = 2, STRONGER = 4, ELSEWHERE = 8, FINELY = 16, ALL 
     {{"image", BEAD_VIEW_SPACETIME, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o}, ALL},                        \
         {{"image of the future", BEAD_VIEW_SPACETIME, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .ghost = true,         \
           .orientation = o},                                                                                                       \
-         LATER | SLOWER | STRONGER | ELSEWHERE},                                                                                   \
+         LATER | SLOWER | STRONGER | ELSEWHERE | LARGER},                                                                          \
         {{"image with a camera", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,              \
           .window = window},                                                                                                       \
-         LATER | SLOWER | ELSEWHERE | FINELY},                                                                                     \
+         LATER | SLOWER | ELSEWHERE | FINELY | LARGER},                                                                            \
         {{"image with trust", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o, .trust = true}, \
          ALL},                                                                                                                     \
         {{"image with theory", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,                \
@@ -84,9 +84,9 @@ static const struct {
     unsigned laws;
 } films[] = {
     {{"beads", BEAD_VIEW_BEADS, alone, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
-    {{"beads and a striker", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, LATER | ELSEWHERE | FINELY},
+    {{"beads and a striker", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, LATER | ELSEWHERE | FINELY | LARGER},
     {{"beads with a camera", BEAD_VIEW_BEADS, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
-     LATER | SLOWER | ELSEWHERE | FINELY},
+     LATER | SLOWER | ELSEWHERE | FINELY | LARGER},
     {{"profile", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
     {{"profile of contacts", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .light = true, .beads = {2, 20}}, ALL},
     {{"profile of velocities", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true}, ALL},
@@ -94,16 +94,17 @@ static const struct {
     {{"profile in decades", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 1e-3, 35, .film = true, .scale = BEAD_SCALE_LOG}, ALL},
     {{"profiles overlaid", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .overlaid = true}, ALL},
     {{"profile with a camera", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
-     LATER | SLOWER | ELSEWHERE | FINELY},
-    {{"profile of a string", BEAD_VIEW_PROFILE, STRING, BEAD_FIELD_DISPLACEMENT, 0, 2e-5, .film = true}, ALL},
+     LATER | SLOWER | ELSEWHERE | FINELY | LARGER},
+    {{"profile of a string", BEAD_VIEW_PROFILE, STRING, BEAD_FIELD_DISPLACEMENT, 0, 2e-5, .film = true}, ALL & ~LARGER},
     {{"sensors", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
     {{"sensors of velocity", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true, .light = true}, ALL},
     {{"sensors with trust", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .trust = true}, ALL & ~FINELY},
     {{"modes", BEAD_VIEW_MODES, STRING, BEAD_FIELD_DISPLACEMENT, 0, 1, .film = true}, LATER | ELSEWHERE},
     {{"stage", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true}, ALL},
-    {{"stage and row", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .row = true}, ALL},
+    {{"stage and row", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .row = true},
+     ALL & ~STRONGER}, /* says how strong */
     {{"light stage with a camera", BEAD_VIEW_STAGE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .light = true, .window = window},
-     LATER | SLOWER | ELSEWHERE | FINELY},
+     LATER | SLOWER | ELSEWHERE | FINELY | LARGER},
     IMAGES(BEAD_TIME_RIGHT),
     IMAGES(BEAD_TIME_DOWN),
     IMAGES(BEAD_MATRIX),
@@ -118,6 +119,7 @@ static void films_are_the_same_in_other_manners(void **)
         other.as = (struct manner){.later = laws & LATER ? 0x1p-7 : 0,
                                    .slower = laws & SLOWER ? 4 : 1,
                                    .stronger = laws & STRONGER ? 8 : 1,
+                                   .larger = laws & LARGER ? 4 : 1,
                                    .right = laws & ELSEWHERE ? 32 : 0,
                                    .down = laws & ELSEWHERE ? 16 : 0,
                                    .finely = laws & FINELY};

@@ -10,7 +10,7 @@
 #include "render/paint/canvas.h"
 #include "render/stage/camera.h"
 #include "render/view/views.h"
-#include "sim/chain/chain_internal.h"
+#include "sim/chain/chain_data.h"
 
 enum { WIDTH = 420, HEIGHT = 150, FRAMES = 17, ROOM = 64, RUNS = 2 };
 static const struct bead_rect page = {0, 0, WIDTH, HEIGHT}, plot = {31, 17, 350, 117};
@@ -28,11 +28,11 @@ static const double span = 0x1p-10; /* s: times of frames are exact, also later 
     "chain: {equation: fput, points: 15, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}\noutputs: [{table: a.csv, show: " \
     "modes}]\n"
 
-/* Ways to show the same: later, each moment this many times as long, values this many times as large, elsewhere in the frame, as a
- * part of a chain with beads before it, in twice as many samples with those between in the middle of their neighbours, from the
- * other end of a chain of this many beads. */
+/* Ways to show the same: later, each moment this many times as long, values this many times as large, beads and their distances,
+ * too, elsewhere in the frame, as a part of a chain with beads before it, in twice as many samples with those between in the middle
+ * of their neighbours, from the other end of a chain of this many beads. */
 struct manner {
-    double later, slower, stronger; /* 0: as 1 */
+    double later, slower, stronger, larger; /* 0: as 1 */
     int right, down;
     size_t before;
     bool finely;
@@ -139,6 +139,14 @@ struct shown {
     struct bead_frame background, frame;
 };
 
+static void enlarge(struct bead_chain *chain, double times)
+{
+    for (size_t i = 0; i < chain->beads; i++) {
+        chain->position[i] *= times;
+        chain->radius[i] *= times;
+    }
+}
+
 /* It is as much elsewhere as the plot. */
 static void fill_background(const struct manner *as, struct bead_frame *frame)
 {
@@ -157,7 +165,8 @@ static void open_shown(struct shown *s, const struct film *film)
     bead_look_screen(&s->look, 1280, 720, !film->light);
     s->look.line = 4;
     const struct manner *as = &s->as;
-    const double slower = times_or_one(as->slower), stronger = times_or_one(as->stronger);
+    const double slower = times_or_one(as->slower), stronger = times_or_one(as->stronger), larger = times_or_one(as->larger);
+    enlarge(s->chain, larger);
     struct bead_view_setup setup = {
         .chain = s->chain,
         .field = film->field,
@@ -176,11 +185,11 @@ static void open_shown(struct shown *s, const struct film *film)
         .mark = as->later + 0.375 * slower * span,
         .own_colour = film->overlaid,
         .modes = 5,
-        .magnify = 150 / stronger};
+        .magnify = 150 * larger / stronger};
     if (setup.beads.last == 0)
         setup.beads.last = bead_chain_beads(s->chain) - 1;
     if (film->window > 0)
-        require(bead_camera_create(s->chain, setup.beads, film->window, setup.time, &s->camera, &msg), &msg);
+        require(bead_camera_create(s->chain, setup.beads, larger * film->window, setup.time, &s->camera, &msg), &msg);
     setup.camera = s->camera;
     require(bead_canvas_create("plain", WIDTH, HEIGHT, &s->canvas, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
@@ -196,11 +205,13 @@ static void open_shown(struct shown *s, const struct film *film)
     require(s->type->place(s->view, (struct bead_rect){plot.x + as->right, plot.y + as->down, plot.width, plot.height}, s->canvas,
                            &msg),
             &msg);
-    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    cairo_surface_t *paper =
+        cairo_image_surface_create_for_data(s->background.pixels, CAIRO_FORMAT_RGB24, WIDTH, HEIGHT, (int)s->background.stride);
     cairo_t *cr = cairo_create(paper);
     require(s->type->decorate(s->view, cr, &msg), &msg);
     cairo_destroy(cr);
     cairo_surface_destroy(paper);
+    bead_frame_copy(&s->frame, &s->background, page);
 }
 
 static void close_shown(struct shown *s)
