@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run: the stage with all chains, playing, zooming and choosing with pointer and keys, and the parts of the page below. */
 
-const chains = data.kind === 'run' ? data.chains.map((c, i) => new Chain(c, i)) : [];
+const chains = data.chains.map((c, i) => new Chain(c, i));
 const canvases = [];
 let oneChart = null, frame = 0, before = 0;
 

@@ -189,9 +189,6 @@ static void write_outcome(struct bead_json *json, const struct bead_outcome *o)
     const struct named numbers[] = {{"end", o->end},
                                     {"arrival", o->front_arrival},
                                     {"step", o->step},
-                                    {"steps", (double)o->steps},
-                                    {"energyStart", o->energy_start},
-                                    {"energyEnd", o->energy_end},
                                     {"energyError", o->energy_error},
                                     {"embeddedError", o->embedded_error},
                                     {"eventError", o->event_error}};
@@ -274,7 +271,7 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field), *info = own ? own : bead_field_info(field);
     const bool named = bead_chain_spec(s->context.chains[0])->system->names_fields;
     struct bead_json json = REPORT_JSON(file);
-    report_open(&json, "run", s->context.scene);
+    report_open(&json, s->context.scene);
     bead_json_open(&json, "time", '{');
     bead_json_number(&json, "start", s->grid.start);
     bead_json_number(&json, "every", s->grid.every);

@@ -266,7 +266,6 @@ static enum bead_error write_panel(const struct sweep_report *r, size_t index, s
     bead_json_open(json, NULL, '{');
     bead_json_text(json, "name", panel->spec->title && *panel->spec->title ? panel->spec->title : panel->name);
     bead_json_number(json, "configurations", (double)panel->configurations);
-    bead_json_number(json, "beads", (double)panel->beads);
     bead_json_number(json, "cells", (double)panel->spec->cells);
     bead_json_open(json, "places", '[');
     for (size_t p = 0; p < panel->places; p++)
@@ -281,7 +280,7 @@ static enum bead_error sweep_data(const void *context, FILE *file, struct bead_m
 {
     const struct sweep_report *r = context;
     struct bead_json json = REPORT_JSON(file);
-    report_open(&json, "sweep", bead_sweep_scene(r->sweep));
+    report_open(&json, bead_sweep_scene(r->sweep));
     bead_json_number(&json, "end", r->end);
     bead_json_number(&json, "times", r->times);
     report_field(&json, &r->field, bead_field_info(r->output->shown.field)->name);

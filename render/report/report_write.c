@@ -26,10 +26,9 @@ void report_base64(FILE *file, const unsigned char *bytes, size_t count)
     }
 }
 
-void report_open(struct bead_json *json, const char *kind, const struct bead_scene *scene)
+void report_open(struct bead_json *json, const struct bead_scene *scene)
 {
     bead_json_open(json, NULL, '{');
-    bead_json_text(json, "kind", kind);
     bead_json_text(json, "program", "beadreel " BEADREEL_VERSION);
     bead_json_text(json, "title", scene->title ? scene->title : "");
 }

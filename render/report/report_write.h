@@ -43,7 +43,7 @@ void report_base64(FILE *file, const unsigned char *bytes, size_t count);
 /* A member: a text of base64. */
 void report_bytes(struct bead_json *json, const char *key, const unsigned char *bytes, size_t count);
 /* The beginning of the object of all data, and members of it: the field shown, its range, its colours (light, dark). */
-void report_open(struct bead_json *json, const char *kind, const struct bead_scene *scene);
+void report_open(struct bead_json *json, const struct bead_scene *scene);
 void report_field(struct bead_json *json, const struct bead_field_info *info, const char *name);
 void report_range(struct bead_json *json, const struct bead_colour_range *range, enum bead_scale scale);
 void report_maps(struct bead_json *json, const struct bead_colormap maps[2]);

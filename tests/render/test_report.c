@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reports: samples that read back, text that cannot break out of the page, and the parts of a page. */
+#include <ctype.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -157,6 +158,37 @@ static const char *after(const char *data, const char *name)
     return found + strlen(name);
 }
 
+/* Is `word`, of `length` characters, in `text` as a word? */
+static bool has_word(const char *among, const char *before, const char *word, size_t length)
+{
+    const size_t lead = strlen(before);
+    for (const char *at = among; (at = strstr(at, before)) != NULL; at += lead) {
+        if (strncmp(at + lead, word, length) == 0 && !isalnum((unsigned char)at[lead + length]) && at[lead + length] != '_')
+            return true;
+    }
+    return false;
+}
+
+/* The data of a page have all these keys and no others, and its scripts read each of them. */
+static void assert_keys(const char *page, const char *keys)
+{
+    const char *data = strstr(page, "id=\"data\">"), *end = strstr(data, "</script>");
+    for (const char *at = data; (at = strstr(at, "\":")) != NULL && at < end; at++) {
+        const char *key = at;
+        while (key[-1] != '"')
+            key--;
+        const size_t length = (size_t)(at - key);
+        if (!has_word(keys, " ", key, length))
+            fail_msg("'%.*s' is new", (int)length, key);
+        if (!has_word(end, ".", key, length))
+            fail_msg("no script reads '%.*s'", (int)length, key);
+    }
+    for (const char *key = keys + 1; *key; key += strcspn(key, " ") + 1) {
+        if (!has_word(data, "\"", key, strcspn(key, " ")))
+            fail_msg("'%.*s' is not in the data", (int)strcspn(key, " "), key);
+    }
+}
+
 /* Peaks are those of the table, but for contacts that have met no force, which have none. Samples: as many as a page has room for.
  */
 static void pages_hold_their_run(void **state)
@@ -173,6 +205,12 @@ static void pages_hold_their_run(void **state)
     play_counts((struct bead_job){.input = scene, .output = output});
     in_directory("a.html", path, sizeof path);
     char *page = read_all(path, &length);
+    assert_keys(page,
+                " program title time start every count unit held field name contacts range low high rest scale over under maps "
+                "light dark magnify materials colour chains label tale first values firstBead beads total axis counts spacing "
+                "radius position material sensors bead striker magnetism wall run method end arrival step energyError "
+                "embeddedError eventError measures value uncertainty note peaks force open time_uncertainty signed data "
+                "displacement ");
     const char *data = data_of(page), *peaks = after(data, "\"peaks\": {"), *force = after(peaks, "\"force\": "),
                *time = after(peaks, "\"time\": "), *every = after(data, "\"every\": "), *count = after(data, "\"count\": ");
     assert_true(next_number(&count) == 1201);
@@ -262,19 +300,23 @@ static void pages_show_the_time_asked_for(void **state)
 /* What the page says of a sweep of two cells: with the clean chain, three configurations. */
 static void assert_facts(const char *data)
 {
-    static const char *const facts[] = {
-        "{\"kind\": \"sweep\"",       "\"field\": {\"title\": \"bead force\", \"name\": \"force\", \"unit\": \"N\"",
-        "\"configurations\": 3,",     "\"cells\": 2,",
-        "\"places\": [{\"name\": \"", "\"magnetism\": 1,",
-        "\"spins\": \"11\"",          "\"low\": 0,"};
+    static const char *const facts[] = {"\"field\": {\"title\": \"bead force\", \"name\": \"force\", \"unit\": \"N\"",
+                                        "\"configurations\": 3,",
+                                        "\"cells\": 2,",
+                                        "\"places\": [{\"name\": \"",
+                                        "\"magnetism\": 1,",
+                                        "\"spins\": \"11\"",
+                                        "\"low\": 0,"};
     for (size_t i = 0; i < sizeof facts / sizeof *facts; i++) {
         if (!strstr(data, facts[i]))
             fail_msg("%s is not in %.3000s", facts[i], data);
     }
     char places[64];
-    const char *beads = strstr(data, "\"beads\": ");
-    assert_true(beads && atoi(beads + 9) > 4);
-    snprintf(places, sizeof places, "\"places\": %d, \"values\": %d", atoi(beads + 9), atoi(beads + 9));
+    const char *values = strstr(data, "\"places\": ");
+    values = strstr(values + 1, "\"places\": "); /* the first are those of forces */
+    const int count = values ? atoi(strstr(values, ": ") + 2) : 0;
+    assert_true(count > 4);
+    snprintf(places, sizeof places, "\"places\": %d, \"values\": %d", count, count);
     assert_non_null(strstr(data, places)); /* one for each bead */
 }
 
@@ -291,6 +333,9 @@ static void colours_of_sweeps_reach_their_ends(void **state)
     play_counts((struct bead_job){.input = scene, .output = output});
     in_directory("s.html", path, sizeof path);
     char *page = read_all(path, &length);
+    assert_keys(page,
+                " program title end times field name unit contacts range low high rest scale over under maps light dark panels "
+                "configurations cells places clean rows values indices images index magnetism spins data ");
     const char *data = data_of(page);
     assert_facts(data);
     for (const char *at = data; (at = strstr(at, "\"data\": \"")) != NULL; images++) {
