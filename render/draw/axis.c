@@ -96,10 +96,10 @@ static bool uneven_step(struct bead_axis *axis, const struct room *room, int fir
 /* The smallest step of 1, 2, 5 x 10^n whose labels fit. */
 static void round_steps(struct bead_axis *axis, struct room room, bool counts)
 {
-    int first = (int)floor(log10((axis->high - axis->low) * axis->factor)) - 2;
+    int first = (int)floor(log10((axis->high - axis->low) * axis->factor)) - 1;
     for (int pass = 0; pass < 2; pass++) {
         room.tight = pass == 1;
-        for (int i = 0; i < 12; i++) {
+        for (int i = 1; i < 9; i++) { /* of the first there would be ten */
             int exponent = first + i / 3;
             if ((counts && exponent < 0) || !try_step(axis, &room, mantissas[i % 3], exponent))
                 continue;

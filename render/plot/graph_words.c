@@ -31,10 +31,11 @@ enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead
                                 struct bead_message *msg)
 {
     double size = fmax(1, cell_size * look->label);
-    *mask = (struct graph_mask){
-        (int)floor(cell->plot.width / size), (int)floor(cell->plot.height / size), size, cell->plot.x, cell->plot.y, NULL};
-    mask->width = mask->width > 0 ? mask->width : 1;
-    mask->height = mask->height > 0 ? mask->height : 1;
+    *mask = (struct graph_mask){.width = (int)fmax(1, floor(cell->plot.width / size)),
+                                .height = (int)fmax(1, floor(cell->plot.height / size)),
+                                .cell = size,
+                                .x = cell->plot.x,
+                                .y = cell->plot.y};
     mask->sums = calloc(((size_t)mask->width + 1) * ((size_t)mask->height + 1), sizeof *mask->sums);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, mask->width, mask->height);
     cairo_t *cr = cairo_create(surface);

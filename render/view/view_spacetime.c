@@ -171,12 +171,13 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     return BEAD_OK;
 }
 
-/* Finds the colours of columns v->done .. to - 1. Columns without samples occur only at the ends and are skipped. */
+/* Finds the colours of columns v->done .. to - 1, if there is a sample. Columns without samples occur only at the ends and are
+ * skipped. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
     const struct bead_area_image image = bead_orientation_image(v->setup.orientation, v->places, v->indices, v->plot.width);
     enum bead_error err = BEAD_OK;
-    bool before = true; /* the first sample */
+    bool before = v->area; /* the first sample */
     while (!err && before && v->done < to) {
         err = bead_area_colour(v->area, &v->table, v->done, to, &image, &v->done, msg);
         before = v->done == v->first && v->done < to;
@@ -335,7 +336,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
         return BEAD_OK;
-    BEAD_TRY(v->area ? colour_columns(v, v->setup.ghost ? v->columns : until, msg) : BEAD_OK);
+    BEAD_TRY(colour_columns(v, v->setup.ghost ? v->columns : until, msg));
     if (v->setup.ghost && v->area && !v->drawn)
         draw_future(v, until, frame, changes);
     /* From the cursor's last place, or from the first change of the horizon. */
@@ -348,7 +349,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
         bead_frame_copy(frame, background, columns_rect(v, from, until));
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
     struct bead_rect rect = columns_rect(v, first, to);
-    if (v->area && to > first)
+    if (to > first)
         put_pixels(v, v->colour, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
     enum bead_error err = spacetime_draw_lines(v, rect, frame, msg);
     if (cursor) {
@@ -402,10 +403,10 @@ static cairo_status_t embed(const struct bead_view *v, struct bead_rect rect, ca
 static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     int until = columns_until(v, time);
-    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    BEAD_TRY(colour_columns(v, until, msg));
     int to = smaller(v->done, until);
-    if (err || !v->area || to <= v->first)
-        return err;
+    if (to <= v->first)
+        return BEAD_OK;
     cairo_status_t status = embed(v, columns_rect(v, v->first, to), cr);
     find_horizon(v, until);
     if (v->horizon && !status) {
