@@ -69,7 +69,14 @@ static inline void see(void *context, const char *markup, double x, double y, do
     snprintf(seen->box[seen->count++].text, 300, "%s", markup);
 }
 
-/* The ink of all words, as drawn: none over another, none cut off. */
+/* Do both say what the same symbol is? */
+static inline bool have_one_symbol(const char *one, const char *other)
+{
+    const char *equals = strstr(one, " = ");
+    return equals && strncmp(one, other, (size_t)(equals - one) + 3) == 0;
+}
+
+/* The ink of all words, as drawn: none over another, none cut off. Beside each other, a symbol has one value. */
 static inline void assert_legible(const struct seen *seen, double width, double height, const char *scene)
 {
     for (size_t i = 0; i < seen->count; i++) {
@@ -80,6 +87,8 @@ static inline void assert_legible(const struct seen *seen, double width, double 
             if (x < seen->box[j].x + seen->box[j].width && seen->box[j].x < right && y < seen->box[j].y + seen->box[j].height &&
                 seen->box[j].y < bottom)
                 fail_msg("'%s' lies over '%s' in %s", seen->box[i].text, seen->box[j].text, scene);
+            if (fabs(y - seen->box[j].y) < 0.5 * seen->box[i].height && have_one_symbol(seen->box[i].text, seen->box[j].text))
+                fail_msg("'%s' is beside '%s' in %s", seen->box[i].text, seen->box[j].text, scene);
         }
     }
 }

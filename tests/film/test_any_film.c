@@ -65,6 +65,19 @@ static void assert_computed(const struct bead_film *film, bool finely)
                        : parts < 1.5);
 }
 
+/* Drafts, and files of few pictures a second, have one for each group of frames, and the last; all of the card. */
+static void assert_pictures(const struct bead_movie_times *t)
+{
+    size_t pictures = 0, since = 0;
+    for (size_t i = 0; i < t->frames; i++) {
+        const bool draws = bead_movie_draws(t, i);
+        pictures += draws;
+        since = draws ? 0 : since + 1;
+        assert_true(since < t->group && (draws || i > t->card));
+    }
+    assert_true(since == 0 && pictures == bead_movie_pictures(t));
+}
+
 /* The motion goes on from frame to frame, from its first time to its last, by a step or more; what is found at a time is the frame
  * that shows it first. */
 static void assert_frames(const struct bead_film *film)
@@ -103,6 +116,7 @@ static void times_of_any_film(void **state)
     static const char *const speeds[] = {"", "card: {for: 0.3 s, text: All}, ",
                                          "speed: [{at: 0 ms, factor: 1/4000}, {at: 0.4 ms, factor: 1/1000}], ",
                                          "captions: [{at: 0.35 ms, pause: 0.3 s, text: here}], "};
+    static const char *const files[] = {"film.mp4", "film.mp4, quality: draft", "film.gif"};
     for (size_t i = 0; i < 160; i++) {
         char text[600], time[2][20] = {"auto", "auto"};
         struct bead_scene *scene;
@@ -116,8 +130,9 @@ static void times_of_any_film(void **state)
         snprintf(text, sizeof text,
                  "simulate: {until: 0.9 ms}\n"
                  "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 40}]}\n"
-                 "outputs: [{movie: film.mp4, %s%s%s, fps: %d, time: [%s, %s]}]\n",
-                 speeds[i % 4], i % 4 < 2 ? "duration: 1 s, " : "", films[i / 4 % 4].keys, 10 + (int)any(0, 50), time[0], time[1]);
+                 "outputs: [{movie: %s, %s%s%s, fps: %d, time: [%s, %s]}]\n",
+                 files[i / 16 % (i / 4 % 4 == 2 ? 2 : 3)], speeds[i % 4], i % 4 < 2 ? "duration: 1 s, " : "", films[i / 4 % 4].keys,
+                 10 + (int)any(0, 50), time[0], time[1]);
         const struct bead_film film = prepared(text, native.end, i % 3 ? &native : NULL, &scene, &chain);
         struct bead_needs needs;
         bead_film_needs(&film, "a film", &needs);
@@ -129,6 +144,7 @@ static void times_of_any_film(void **state)
         else
             assert_computed(&film, films[i / 4 % 4].finely);
         assert_frames(&film);
+        assert_pictures(&film.times);
         bead_chain_destroy(chain);
         bead_scene_free(scene);
     }
