@@ -219,6 +219,53 @@ static void mirrored_chains_look_mirrored(void **)
     }
 }
 
+/* Where two frames differ. */
+static struct bead_rect difference(const struct shown *a, const struct shown *b)
+{
+    int from[2] = {WIDTH, HEIGHT}, to[2] = {0, 0};
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            const size_t at = (size_t)y * a->frame.stride + 4 * (size_t)x;
+            if (memcmp(a->frame.pixels + at, b->frame.pixels + at, 3) == 0)
+                continue;
+            from[0] = x < from[0] ? x : from[0], to[0] = x + 1 > to[0] ? x + 1 : to[0];
+            from[1] = y < from[1] ? y : from[1], to[1] = y + 1 > to[1] ? y + 1 : to[1];
+        }
+    }
+    return (struct bead_rect){from[0], from[1], to[0] - from[0], to[1] - from[1]};
+}
+
+/* Until the camera of the lens sees it, a chain with a wall looks as one without, but for the wall: at the end of the plot, about
+ * twice as high as a bead, in the middle of its row. */
+static void walls_are_beside_their_chains(void **state)
+{
+    (void)state;
+#define WALLED(wall)                                                                                                        \
+    "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 29}], wall: " wall "}\n" \
+    "outputs: [{table: a.csv}]\n"
+    static const char *const walls[] = {WALLED("rigid"), WALLED("brass")};
+    const double diameter = plot.width / 30.0;
+    for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+        struct film open = {"beads", BEAD_VIEW_BEADS, WALLED("none"), BEAD_FIELD_FORCE, 0, 35, .film = true, .row = true};
+        struct film closed = open;
+        struct shown a, b;
+        closed.chain = walls[i];
+        open_shown(&a, &open);
+        open_shown(&b, &closed);
+        for (size_t k = 0; k < 10; k++) {
+            const double time = feed(&a, k);
+            feed(&b, k);
+            draw(&a, time, &(struct bead_changes){0});
+            draw(&b, time, &(struct bead_changes){0});
+            const struct bead_rect wall = difference(&a, &b);
+            if (wall.x != plot.x + plot.width || wall.width < 4 || wall.height < 1.5 * diameter || wall.height > 2.1 * diameter)
+                fail_msg("wall %zu, frame %zu: %d x %d at %d, %d", i, k, wall.width, wall.height, wall.x, wall.y);
+        }
+        close_shown(&a);
+        close_shown(&b);
+    }
+}
+
 /* Names above a row of beads are within it and apart; those that would not be are left out. */
 static void names_stay_above_their_row(void **)
 {
@@ -269,9 +316,8 @@ static void names_stay_above_their_row(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(films_are_the_same_in_other_manners),
-        cmocka_unit_test(parts_look_as_chains_of_their_own),
-        cmocka_unit_test(mirrored_chains_look_mirrored),
+        cmocka_unit_test(films_are_the_same_in_other_manners), cmocka_unit_test(parts_look_as_chains_of_their_own),
+        cmocka_unit_test(mirrored_chains_look_mirrored),       cmocka_unit_test(walls_are_beside_their_chains),
         cmocka_unit_test(names_stay_above_their_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
