@@ -4,10 +4,10 @@
 `--again LOG` tries the survivors of an earlier run, whose output LOG is, and no others.
 
 Draws faults by seed, each one change of one line of the last commit: another comparison, operator or constant, two arguments
-swapped, a statement dropped (but none that frees: leaks are for the sanitizers). A fault that does not compile, or leaves the object
-file as it was, is none and is drawn again. Each meets the tests that run its line, until one fails; first those that are quick and
-have many of their lines in its file. Which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes and
-golden pictures do not count: they say that something changed, not that it is wrong. What none notices meets the first tests again, its
+swapped, a statement dropped (but none that frees: leaks are for the sanitizers). A fault that the compiler refuses or warns of, or that
+leaves the object file as it was, is none and is drawn again. Each meets the tests that run its line, until one fails; first those that are
+quick and have many of their lines in its file. Which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes
+and golden pictures do not count: they say that something changed, not that it is wrong. What none notices meets the first tests again, its
 file compiled with the sanitizers of `make asan`, as .ci/run does for those that are not long: steps past an end of memory rarely change
 what is drawn. Prints each fault with the CPU seconds of the tests that it met, then the survivors and the score of each room.
 tests/mutants.txt lists faults proved harmless, with reasons.
@@ -26,9 +26,7 @@ import subprocess
 import threading
 
 NO_TRUTH = ("bits", "test_golden")
-# Warnings of these are errors here, too: the compiler notices such arguments, in newer releases as errors.
-POINTERS = "-Werror=incompatible-pointer-types -Werror=int-conversion"
-SANITIZED = ("CFLAGS=-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all", "STRICT_LINK=")
+SANITIZED = ("CFLAGS=-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all", "STRICT_LINK=", "WERROR=")
 SANITIZED_TESTS, SANITIZED_SCRIPTS = 4, 2  # that a fault meets once more
 ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
                  "test_truths")
@@ -169,12 +167,12 @@ class Tree:
             self.makefile = file.read()
         with open(f"{folder}/tests/long.txt", encoding="utf-8") as file:
             self.long = {line.split(" ")[0] for line in file}
-        built = run(["make", "-s", "counted", f"CFLAGS=-O2 {POINTERS}", "WERROR="], folder)
+        built = run(["make", "-s", "counted", "CFLAGS=-O2", "WERROR=-Werror"], folder)
         if built.returncode:
             raise SystemExit(built.stdout[-2000:])
 
     def make(self, *targets):
-        return run(["make", "-s", "-j1", f"CFLAGS=-O2 {POINTERS}", "WERROR=", *targets], self.folder)
+        return run(["make", "-s", "-j1", "CFLAGS=-O2", "WERROR=-Werror", *targets], self.folder)
 
     def try_fault(self, fault, reached):
         """None: it is none. Else the test that notices, "" where none does, and the seconds of all that it met."""
