@@ -2,6 +2,8 @@
 /* Other ways to the same film of each view. What is shown does not depend on when it begins, how long it takes, in which units the
  * values and lengths are, where the plot is, or how many samples there are on a straight line; a part of a chain looks as a chain
  * of its own, and a wave from the other end as its mirror image. */
+#include "render/stage/beads.h"
+
 #include "view_films.h"
 
 #include "render/draw/axis.h"
@@ -313,12 +315,63 @@ static void names_stay_above_their_row(void **)
     }
 }
 
+static void assert_within(struct bead_rect rect, const struct bead_view *v, const char *what)
+{
+    if (rect.x < 0 || rect.y < 0 || rect.x + rect.width > v->area.width || rect.y + rect.height > v->area.height)
+        fail_msg("%s of %d x %d: %d x %d at %d, %d", what, v->area.width, v->area.height, rect.width, rect.height, rect.x, rect.y);
+}
+
+/* Row and lens are within the view, one below the other, and beads within them and the frame; the lens has all room that is left,
+ * or as few beads side by side as are worth it. */
+static void assert_windows(const struct bead_view *v, int line)
+{
+    const double row = 2 * v->largest * v->row.scale, lens = 2 * v->largest * v->lens.scale;
+    if (v->row.scale > 0) {
+        assert_within(v->row.rect, v, "row");
+        assert_true(v->strip ? row < 3 : row <= v->row.rect.height);
+    }
+    if (!(v->lens.scale > 0))
+        return;
+    const int bottom = v->lens.rect.y + v->lens.rect.height + line;
+    assert_within(v->lens.rect, v, "lens");
+    if (lens > v->lens.rect.height + line || (bottom < v->area.height - 2 && fabs(v->plot.width / lens - 14) > 0.01))
+        fail_msg("beads of %g px in a lens of %d x %d, from %d to %d of %d", lens, v->lens.rect.width, v->lens.rect.height,
+                 v->lens.rect.y, bottom, v->area.height);
+    assert_true(!(v->row.scale > 0) || (v->zoom.y >= v->row.rect.y + v->row.rect.height &&
+                                        v->lens.rect.y == v->zoom.y + v->zoom.height + line && lens > row));
+}
+
+static void windows_have_room_for_their_beads(void **state)
+{
+    (void)state;
+    static const char many[] = AT_REST "{cell: [large-steel, aluminium], count: 200}" ENDS;
+    static const char *const chains[] = {ONE, PLAIN, DIMERS, many};
+    static const int widths[] = {60, 151, 420, 1200}, heights[] = {12, 40, 90, 200, 401};
+    struct bead_message msg = {""};
+    size_t lenses = 0, strips = 0;
+    for (size_t i = 0; i < 160; i++) {
+        const struct film film = {"beads", BEAD_VIEW_BEADS, chains[i % 4], BEAD_FIELD_FORCE, 0, 35, .film = true, .row = i / 4 % 2};
+        const struct bead_rect place = {31, 17, widths[i / 8 % 4], heights[i / 32]};
+        struct shown s;
+        struct bead_canvas *canvas;
+        open_shown(&s, &film);
+        require(bead_canvas_create("plain", place.width + 80, place.height, &canvas, &msg), &msg);
+        require(s.type->place(s.view, place, canvas, &msg), &msg);
+        assert_windows(s.view, 4);
+        lenses += s.view->lens.scale > 0;
+        strips += s.view->strip;
+        bead_canvas_destroy(canvas);
+        close_shown(&s);
+    }
+    assert_true(lenses > 10 && strips > 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(films_are_the_same_in_other_manners), cmocka_unit_test(parts_look_as_chains_of_their_own),
         cmocka_unit_test(mirrored_chains_look_mirrored),       cmocka_unit_test(walls_are_beside_their_chains),
-        cmocka_unit_test(names_stay_above_their_row),
+        cmocka_unit_test(windows_have_room_for_their_beads),   cmocka_unit_test(names_stay_above_their_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
