@@ -124,7 +124,6 @@ static void tell(const struct bead_graph *graph, char *out, size_t size)
             used += (size_t)snprintf(out + used, size - used, "%s%s%s%s%s%s to %s, most at %s %s", used ? "; " : "",
                                      axis == panel->y.title ? "" : y, axis == panel->y.title ? "" : ": ", label, *label ? ": " : "",
                                      least, most, x, at);
-            used = used < size ? used : size - 1;
             axis = panel->y.title;
         }
     }
