@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/view/orientation.h"
 #include "sim/chain/chain_internal.h"
 
 /* Samples per column of pixels along time; values are linear in time between samples. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "render/draw/looks.h"
+#include "render/draw/markup.h"
 #include "sim/base/memory.h"
 
 /* Half the height of a line's box, in units of the font size. */
@@ -268,4 +269,137 @@ bool bead_sketch_pieces(struct bead_sketch *s, struct bead_box *area, const stru
         x += width[i] + piece_gap * em;
     }
     return true;
+}
+
+/* Words shared by schematic drawings: names of cells, groups of beads, materials. */
+
+const char *bead_cell_word(size_t beads, bool several)
+{
+    static const char *const words[][2] = {{"bead", "beads"},         {"dimer", "dimers"},       {"trimer", "trimers"},
+                                           {"tetramer", "tetramers"}, {"pentamer", "pentamers"}, {"cell", "cells"}};
+    size_t last = sizeof words / sizeof *words - 1, row = beads - 1 < last ? beads - 1 : last;
+    return words[row][several];
+}
+
+/* Does a label contain the radius? "steel, 4.76 mm" contains "4.76\u00a0mm". */
+static bool says_radius(const char *label, const char *radius)
+{
+    char number[32];
+    snprintf(number, sizeof number, "%.*s", (int)strcspn(radius, "\u00a0"), radius);
+    return *number && strstr(label, number);
+}
+
+static void mass_words(const struct bead_material *material, char *out, size_t size)
+{
+    if (material->mass < 1)
+        bead_quantity(1e3 * material->mass, "g", 3, out, size);
+    else
+        snprintf(out, size, "%.3g kg", material->mass);
+}
+
+static void material_words(const struct bead_material *material, char *out, size_t size)
+{
+    char name[96], radius[32], mass[32];
+    bead_text_escape(material->label, name, sizeof name);
+    bead_quantity(material->radius, "m", 3, radius, sizeof radius);
+    mass_words(material, mass, sizeof mass);
+    if (says_radius(material->label, radius))
+        snprintf(out, size, "%s, %s", name, mass);
+    else
+        snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
+}
+
+void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size)
+{
+    char name[2][96], radius[2][32], mass[2][32];
+    const struct bead_material *ends[] = {first, last};
+    if (first == last) {
+        material_words(first, out, size);
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        bead_text_escape(ends[i]->label, name[i], sizeof name[i]);
+        bead_quantity(ends[i]->radius, "m", 3, radius[i], sizeof radius[i]);
+        mass_words(ends[i], mass[i], sizeof mass[i]);
+    }
+    const bool named_alike = strcmp(name[0], name[1]) == 0;
+    snprintf(out, size, "%s%s%s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], named_alike ? "" : " to ",
+             named_alike ? "" : name[1], radius[0], radius[1], mass[0], mass[1]);
+}
+
+void bead_symbol_words(const char *letter, int index, char *out, size_t size)
+{
+    char text[64];
+    if (index > 0)
+        snprintf(text, sizeof text, "*%s*_%d", letter, index);
+    else
+        snprintf(text, sizeof text, "*%s*", letter);
+    bead_markup(text, out, size);
+}
+
+/* ---- strips ---- */
+
+static bool add_one(struct bead_strip *strip, struct bead_strip_bead bead)
+{
+    strip->failed |= !bead_memory_grow((void **)&strip->beads, &strip->room, strip->count + 1, sizeof bead);
+    if (!strip->failed)
+        strip->beads[strip->count++] = bead;
+    return !strip->failed;
+}
+
+bool bead_strip_add_gap(struct bead_strip *strip, size_t mark)
+{
+    return add_one(strip, (struct bead_strip_bead){.left_out = true, .mark = mark});
+}
+
+bool bead_strip_add(struct bead_strip *strip, const size_t *material, ptrdiff_t step, size_t count, size_t lead, size_t tail,
+                    size_t mark)
+{
+    bool whole = count <= lead + tail + 1, added = true;
+    for (size_t i = 0; i < count && added; i++) {
+        added = add_one(strip, (struct bead_strip_bead){.material = material[(ptrdiff_t)i * step], .mark = mark});
+        if (added && !whole && i + 1 == lead) {
+            added = bead_strip_add_gap(strip, mark);
+            i = count - tail - 1;
+        }
+    }
+    return added;
+}
+
+void bead_strip_free(struct bead_strip *strip)
+{
+    free(strip->beads);
+    *strip = (struct bead_strip){0};
+}
+
+double bead_strip_width(const struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap)
+{
+    double width = 0;
+    for (size_t i = 0; i < strip->count; i++)
+        width += strip->beads[i].left_out ? gap : 2 * scale * scene->materials[strip->beads[i].material].radius;
+    return width;
+}
+
+void bead_strip_place(struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap, double x)
+{
+    for (size_t i = 0; i < strip->count; i++) {
+        struct bead_strip_bead *b = &strip->beads[i];
+        b->r = b->left_out ? gap / 2 : scale * scene->materials[b->material].radius;
+        b->x = x + b->r;
+        x += 2 * b->r;
+    }
+}
+
+bool bead_strip_extent(const struct bead_strip *strip, size_t mark, double *low, double *high)
+{
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (size_t i = 0; i < strip->count; i++) {
+        const struct bead_strip_bead *b = &strip->beads[i];
+        if (b->mark == mark) {
+            *low = fmin(*low, b->x - b->r);
+            *high = fmax(*high, b->x + b->r);
+        }
+    }
+    return *low < *high;
 }

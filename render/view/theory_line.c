@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* See theory_line.h. */
-#include "render/view/theory_line.h"
+/* The front predicted by theory: see horizon.h. */
+#include "render/view/horizon.h"
 
 #include <math.h>
 #include <stdio.h>
