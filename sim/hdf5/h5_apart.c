@@ -154,11 +154,9 @@ static bool start(struct bead_h5 *h5, struct bead_h5_apart *apart, bead_h5_answe
     apart->turn = turns[0];
     const int file = h5->check.file;
     apart->process = bead_sandbox_fork((const int[]){file, turns[1]}, 2);
-    const int error = errno;
     if (apart->process == 0)
         live(h5, file, turns[1], apart->shared, answer);
-    close(turns[1]);
-    errno = error;
+    close(turns[1]); /* errno remains that of the fork */
     return apart->process > 0;
 }
 
