@@ -15,6 +15,11 @@
         "peaks", "bead-peaks", "measures", "energy", "energy, parts: place", "profiles, at: [5e-5 s]", "sensors, beads: [2, 5]", \
             "spreading", "sensitivities"                                                                                         \
     }
+#define OF_DRIVEN                                                                                                                \
+    ", until: 3e-4 s",                                                                                                           \
+    {                                                                                                                            \
+        "peaks", "measures, every: 1 us", "energy, every: 1 us", "profiles, at: [5e-5 s]", "sensors, beads: [2, 5], every: 1 us" \
+    }
 #define OF_SWEEP                                               \
     "",                                                        \
     {                                                          \
@@ -47,6 +52,30 @@ static const struct {
      "chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: random, count: 5}, {bead: aluminium, sensor: s}]}\n"
      "sweep: {over: {chain.beads.0.seed: [1, 2, 3]}}",
      OF_SWEEP},
+    {"chain: {" STRUCK "gap: 1 um, wall: rigid, beads: [{bead: large-steel, count: 5, spring: 1e5 N/m}]}",
+     "chain: {" STRUCK "wall: rigid, beads: [{bead: large-steel, spring: 1e2 N/mm}, {bead: large-steel, count: 4, gap: 1e-3 mm, "
+     "spring: 1e5}]}",
+     OF_DRIVEN},
+    {"chain: {" STRUCK "tilt: 90 deg, wall: brass, damping: {coefficient: 2}, beads: [{cell: [2 ptfe, aluminium], count: 3}]}",
+     "chain: {" STRUCK "tilt: 1.5707963267948966 rad, wall: brass, damping: {coefficient: 2, exponent: 1.8, compression: 0}, "
+     "beads: [{cell: [ptfe, ptfe, aluminium], count: 3}]}",
+     OF_DRIVEN},
+    {"chain: {" STRUCK "beads: [{bead: large-steel, mass: 2 g, modulus: 100 GPa, count: 6}]}",
+     "materials: {m: {mass: 2 g, radius: 4.76 mm, modulus: 1e5 MPa, poisson: 0.3, yield: 1.04 GPa}}\nchain: {" STRUCK
+     "beads: [{bead: m, count: 6}]}",
+     OF_BEADS},
+    {"chain: {drive: {force: noise, amplitude: 2 N, frequency: 5 kHz}, precompression: 20 N, beads: [{bead: aluminium, count: 6}]}",
+     "chain: {drive: {bead: 0, force: noise, amplitude: 2000 mN, frequency: 5000 Hz, ramp: 0 s, seed: 0}, precompression: 20 N, "
+     "beads: [{bead: aluminium, count: 6}]}",
+     OF_DRIVEN},
+    {"chain: {start: [{bead: [2, 4], velocity: 0.1 m/s}, {bead: last, displacement: 1 um}], beads: [{bead: aluminium, count: 6}]}",
+     "chain: {striker: {velocity: 0}, start: [{bead: 2, velocity: 10 cm/s}, {bead: 3, velocity: 0.1}, {bead: 4, velocity: 0.1 "
+     "m/s}, {bead: 6, displacement: 1000 nm}], beads: [{bead: aluminium, count: 6}]}",
+     OF_DRIVEN},
+    {"chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1}}",
+     "chain: {equation: fput, points: 16, alpha: 0.25, beta: 0, ends: fixed, start: {mode: 1, amplitude: 1}}",
+     ", until: 40",
+     {"measures, every: 0.5", "modes, every: 0.5", "profiles, at: [3.3]", "sensors, beads: [3], every: 0.7"}},
 };
 
 /* The chain of `text` with the spins that are drawn for it. */
