@@ -5,11 +5,8 @@
 #pragma once
 
 #include <math.h>
-#include <stdbool.h>
 
-#include "beadreel/chain.h"
 #include "beadreel/render.h"
-#include "beadreel/scene.h"
 
 struct bead_colour_range {
     double low, high;

@@ -4,10 +4,6 @@
 
 #include <glib.h>
 #include <pango/pango.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/axis.h"
 #include "sim/base/memory.h"

@@ -5,7 +5,6 @@
 
 #include <ctype.h>
 #include <hb.h>
-#include <string.h>
 
 #include "render/origin/origin.h"
 

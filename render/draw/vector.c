@@ -5,11 +5,9 @@
 #include <cairo-ps.h>
 #include <cairo-svg.h>
 #include <errno.h>
-#include <stdlib.h>
 #include <strings.h>
 #include <time.h>
 
-#include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "render/draw/vector.h"
 #include "render/origin/origin.h"

@@ -3,7 +3,6 @@
  * their pictures, and draws. */
 #include "render/figure/contact_sheet.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "sim/chain/chain_internal.h"

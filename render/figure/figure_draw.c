@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws everything in a figure except its views: headings, title and time, the colour bar. */
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"

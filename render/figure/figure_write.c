@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The end of a figure: ranges are known, the views of one moment are created, and everything is drawn. */
-#include <math.h>
 
 #include "render/figure/figure.h"
 #include "sim/chain/chain_internal.h"

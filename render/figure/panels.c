@@ -3,8 +3,6 @@
  * first, images the last. */
 #include "render/figure/panels_private.h"
 
-#include <stdlib.h>
-
 #include "render/draw/markup.h"
 #include "sim/base/memory.h"
 

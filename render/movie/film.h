@@ -4,8 +4,6 @@
 #pragma once
 
 #include "beadreel/movie.h"
-#include "beadreel/sink.h"
-#include "beadreel/view.h"
 #include "render/movie/composer.h"
 #include "render/view/tale.h"
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The two kinds of frames of movies, cells and stages, for movie_layout.c. Cells: their number side by side, and the places of their
- * views. */
+/* The two kinds of frames of movies, cells and stages, for movie_layout.c. Cells: their number side by side, and the places of
+ * their views. */
 #pragma once
-
-#include <math.h>
 
 #include "render/draw/layout.h"
 #include "render/movie/movie_layout.h"

@@ -2,7 +2,6 @@
 /* Texts in PNG files: of stills before the pixels, by libpng; of animations, written by libav, at the end. */
 #include <png.h>
 #include <setjmp.h>
-#include <string.h>
 
 #include "render/origin/origin_private.h"
 

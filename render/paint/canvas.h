@@ -4,9 +4,6 @@
  * it. Only views that paint have one. */
 #pragma once
 
-#include <stddef.h>
-
-#include "beadreel/error.h"
 #include "beadreel/render.h"
 #include "sim/base/internal.h"
 

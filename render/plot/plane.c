@@ -3,7 +3,6 @@
 #include "render/plot/sweep_plot.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

@@ -2,7 +2,6 @@
 /* Plots of sweeps: force against magnetism, and decay along the chain. */
 #pragma once
 
-#include "beadreel/sweep.h"
 #include "render/plot/plot_private.h"
 #include "sim/sweep/sweep_curves.h"
 

@@ -3,7 +3,6 @@
 #include "render/schematic/schematic_sketch.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"

@@ -3,7 +3,6 @@
 #include "render/stage/along.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

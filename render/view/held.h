@@ -6,7 +6,6 @@
 #pragma once
 
 #include "beadreel/chain.h"
-#include "beadreel/sample.h"
 
 struct bead_held;
 

@@ -4,9 +4,6 @@
 #pragma once
 
 #include "beadreel/chain.h"
-#include "beadreel/error.h"
-#include "beadreel/sample.h"
-#include "beadreel/scene.h"
 
 struct bead_tale;
 

@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The user's own settings: found for commands that run or describe a scene, and listed by --info. */
-#include <limits.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "beadreel/scene.h"
 #include "sim/base/json.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
-#include "sim/scene/scene_internal.h"
 
 /* Only a program that draws checks the canvas. */
 static enum bead_error check_canvas(const struct command *command, struct bead_message *msg)

@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <getopt.h>
-#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"

@@ -4,15 +4,11 @@
 
 #include <math.h>
 
-#include "beadreel/law.h"
-#include "beadreel/scene.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/equation/equation.h"
 #include "sim/hdf5/h5.h"
 #include "sim/integrate/methods.h"
 #include "sim/measure/measure.h"
-#include "sim/scene/scene_internal.h"
-#include "sim/statistics/statistics.h"
 
 COMMAND_LISTS(command_list_scenes)
 {

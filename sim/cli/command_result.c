@@ -5,13 +5,9 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "beadreel/chain.h"
-#include "beadreel/sweep.h"
 #include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/base/text.h"

@@ -7,9 +7,6 @@
  * fails. */
 #pragma once
 
-#include <stdbool.h>
-#include <stdint.h>
-
 #include "sim/equation/equation.h"
 #include "sim/equation/spectral.h"
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <math.h>
-#include <stddef.h>
 
 #include "beadreel/scene.h"
 

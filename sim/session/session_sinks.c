@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of sinks of tables and trajectories. Makes the sinks of a session and decides which samples each takes: its own, or the trajectory output's. */
+/* The kinds of sinks of tables and trajectories. Makes the sinks of a session and decides which samples each takes: its own, or the
+ * trajectory output's. */
 #include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
-#include "sim/chain/chain_internal.h"
 #include "sim/session/session_data.h"
 
 /* Pictures use the trajectory's samples if their spacing is at most this, in units of the spacing that shows every oscillation; the

@@ -13,9 +13,6 @@
  */
 #pragma once
 
-#include <stdbool.h>
-#include <stddef.h>
-
 #include "beadreel/sink.h"
 
 enum { BEAD_TRAJECTORY_PROFILE = 1 }; /* version of the layout */

@@ -4,8 +4,6 @@
  * as paths. */
 #include "sim/trajectory/trajectory_sink.h"
 
-#include <string.h>
-
 #include "sim/chain/system.h"
 
 struct xdmf {
