@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The times of any film, drawn by seed: of its samples, stored or computed, its frames and stops; the order of its chapters. */
+/* The times of any film, drawn by seed: of its samples, stored or computed, its frames and stops; the order of its chapters; what
+ * it says of its chains. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,6 +13,7 @@
 #include <cmocka.h>
 
 #include "render/movie/film.h"
+#include "render/movie/movie_words.h"
 
 /* Prepares the film of a scene with its chain up to `end`, of stored samples or NULL; returns its scene and chain, to be freed. */
 static struct bead_film prepared(const char *text, double end, const struct bead_grid *native, struct bead_scene **scene,
@@ -186,8 +188,50 @@ static void chapters_are_in_order(void **state)
     }
 }
 
+/* What is said of some chains does not depend on their order, and of one chain twice it is what is said of it. */
+static void facts_hold_for_all_chains(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {
+        "chains:\n  - {name: a, striker: {velocity: 1 m/s}, beads: [{bead: ptfe, count: 9}]}\n"
+        "  - {name: b, striker: {velocity: 2 m/s}, beads: [{bead: ptfe, count: 9}]}\n"
+        "  - {name: c, striker: {velocity: 1 m/s}, beads: [{cell: [ptfe, glass], count: 3}, {bead: ptfe, count: 5}]}\n"
+        "  - {name: d, beads: [{bead: large-steel, count: 9}]}\noutputs: [{movie: a.mp4}]\n",
+        "simulate: {until: 1}\nchains:\n"
+        "  - {name: a, label: x, equation: fput, points: 63, alpha: 0.5, start: {pulse: 0.05, width: 8, at: 20}}\n"
+        "  - {name: b, label: x, equation: fput, points: 31, alpha: 0.5, start: {pulse: 0.05, width: 8, at: 20}}\n"
+        "  - {name: c, label: x, equation: kdv, length: 2, dispersion: 0.25, variable: strain, start: {pulse: 1, width: 0.2, at: "
+        "1}}\n"
+        "  - {name: d, label: x, equation: kdv, length: 2, dispersion: 0.5, variable: strain, start: {pulse: 1, width: 0.2, at: "
+        "1}}\n"
+        "outputs: [{movie: a.mp4, field: strain, views: [profile]}]\n"};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        struct bead_message msg = {""};
+        struct bead_scene *scene;
+        struct bead_chain *chains[4];
+        if (bead_scene_parse("test", scenes[i], strlen(scenes[i]), NULL, &scene, &msg))
+            fail_msg("%s", msg.text);
+        for (size_t c = 0; c < 4; c++)
+            assert_int_equal(bead_chain_create(scene, c, &chains[c], &msg), BEAD_OK);
+        for (size_t k = 0; k < 32; k++) {
+            const struct bead_chain *order[2][2] = {{chains[k % 4], chains[k / 4 % 4]}, {chains[k / 4 % 4], chains[k % 4]}};
+            char said[3][500];
+            for (size_t n = 0; n < 3; n++)
+                bead_facts_chain(&(struct bead_facts){.keyed = k / 16, .chains = order[n % 2], .chain_count = n < 2 ? 2 : 1},
+                                 said[n], sizeof said[n]);
+            assert_string_equal(said[0], said[1]);
+            if (k % 4 == k / 4 % 4)
+                assert_string_equal(said[0], said[2]);
+        }
+        for (size_t c = 0; c < 4; c++)
+            bead_chain_destroy(chains[c]);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(times_of_any_film), cmocka_unit_test(chapters_are_in_order)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(times_of_any_film), cmocka_unit_test(chapters_are_in_order),
+                                       cmocka_unit_test(facts_hold_for_all_chains)};
     return cmocka_run_group_tests_name("any film", tests, NULL, NULL);
 }
