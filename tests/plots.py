@@ -527,10 +527,40 @@ outputs: [{table: few.csv, show: configurations}, {plot: few.svg, show: both}, {
     check("... and all of the others are shown", "few.svg", [("", curves)], ("", ""), ["magnetism M", force])
 
 
+def ends_asked_for():
+    """Axes, and bars of colours, end where they are asked to."""
+    asked = {"sensors": ("contacts: [0, 3], time: [0.2 ms, 0.8 ms]", (0.2e-3, 0.8e-3), (-20, 100)),
+             "peaks": ("", None, (10, 100)),
+             "profiles": ("field: velocity, at: [0.3 ms]", None, (-1, 1)),
+             "energy": ("time: [0.1 ms, 0.7 ms]", (0.1e-3, 0.7e-3), (0.01, 0.06)),
+             "spreading": ("", None, (2, 50)),
+             "spectrum": ("contacts: 3, frequencies: [2 kHz, 60 kHz]", (2e3, 60e3), (0, 1))}
+    outputs = [f"{{plot: ends-{name}.svg, show: {name}, range: [{low}, {high}]{', ' * bool(words)}{words}}}"
+               for name, (words, _, (low, high)) in asked.items()]
+    run("ends.yaml", f"""chain: {{striker: {{velocity: 0.4 m/s}}, beads: [{{cell: [large-steel, aluminium], count: 10}}]}}
+simulate: {{until: 1 ms}}
+outputs: [{', '.join(outputs)}]
+""")
+    for name, (_, *both) in asked.items():
+        panel = read(f"ends-{name}.svg")[0]
+        left, top, right, bottom = panel.frame
+        for axis, ends, places in zip(panel.axes, both, ((left, right), (bottom, top))):
+            base = next((base for base in ("Hz", "J", "s") if axis.unit in (base, "k" + base, "m" + base, "µ" + base)), axis.unit)
+            off = [axis.at(end / shown(axis.unit, base)) - place for end, place in zip(ends or (), places)]
+            tap.ok(all(abs(points) < 2 * NEAR for points in off), f"the {axis.title} of {name} ends as asked", ends, off)
+    run("bars.yaml", """chain: {beads: [{bead: large-steel, count: 10}, {bead: large-steel, sensor: far}]}
+sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.beads.0.count: [3, 5]}}
+outputs: [{plot: bar.svg, show: plane, range: [-100, 700]}]
+""")
+    bar = bar_of("bar.svg")
+    tap.ok((bar[0][0], bar[0][-1]) in ((-100, 700), (700, -100)), "a bar of colours ends as asked", bar)
+
+
 chains()
 theory()
 strings()
 keys()
 planes()
 spins()
+ends_asked_for()
 tap.finish()
