@@ -46,6 +46,10 @@ print(*(t.words for t in svg_plots.texts_of(open(sys.argv[1]).read()) if re.sear
 ok "configurations that are listed" exits 0 "$beadreel" "$T/sweep.yaml" -o "$T/listed" --set 'sweep={cells: 8, spins: ["11101111", "10110100", "00001000"]}' --only sheet.svg
 ok "... have their magnetism" [ "$(said "$T/listed/sheet.svg" '^#')" = "#0  M 0.75|#1  M 0|#2  M 0.75" ]
 ok "... the others have not" [ "$(said "$T/all/sheet.svg" '^#.* M')" = "" ]
+sweep="{cells: 2, magnetism: [0, 1], configurations: 2, name:"
+echo "{sweeps: [$sweep a}, $sweep b}, $sweep c}], outputs: [{sheet: a.png, size: [640, 90]}]}" >"$T/many.yaml"
+ok "more sweeps than rows" fails 2 "$beadreel" "$T/many.yaml" -o "$T"
+ok "... have a row each" says "no room for 3 rows"
 ok "no room" fails 2 "$beadreel" --sheet "$T/sweep.yaml" --set 'outputs.0.size=[90, 60]' -o "$T/a.png"
 ok "... nothing is left" [ ! -e "$T/a.png" ]
 finish
