@@ -171,6 +171,16 @@ static void texts_in_json_are_valid(void **state)
         fflush(out);
         assert_string_equal(found, expected);
     }
+    for (int c = 1; c < 0x80; c++) { /* only what must be is written as a number */
+        const bool plain = c >= ' ' && c != '"' && c != '\\' && c != 0x7F;
+        struct bead_json json = {.out = out};
+        snprintf(expected, sizeof expected, plain ? "\"%c\"" : "\"\\u%04x\"", c);
+        rewind(out);
+        bead_json_text(&json, NULL, (char[]){(char)c, 0});
+        fputc(0, out);
+        fflush(out);
+        assert_string_equal(found, expected);
+    }
     fclose(out);
     free(found);
 }
