@@ -114,10 +114,10 @@ static enum bead_error load(const char *name, size_t end, struct bead_colormap *
 enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)
 {
     const size_t length = strlen(name), end = length > 2 && strcmp(name + length - 2, "_r") == 0 ? length - 2 : length;
-    enum bead_error err = *name == '#' ? own(name, end, map, msg) : load(name, end, map, msg);
-    if (!err && end < length)
+    BEAD_TRY(*name == '#' ? own(name, end, map, msg) : load(name, end, map, msg));
+    if (end < length)
         reverse(map);
-    return err;
+    return BEAD_OK;
 }
 
 static double signed_root(double x)

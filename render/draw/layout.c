@@ -239,9 +239,7 @@ enum bead_error bead_layout_settle(struct bead_layout_grid *grid, int passes, bo
         if (pass >= passes && !(grow && (pass == passes || fixed > before)))
             return BEAD_OK;
         before = fixed;
-        enum bead_error err = owner->measure(owner->user, msg);
-        if (err)
-            return err;
+        BEAD_TRY(owner->measure(owner->user, msg));
         bead_layout_reach(grid, pass >= passes);
     }
 }

@@ -134,11 +134,8 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown quality %d", path, (int)settings->quality);
     if ((int)settings->codec < 0 || settings->codec > BEAD_CODEC_AV1)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown codec %d", path, (int)settings->codec);
-    enum bead_error err = check_kind(path, *codec, settings, msg);
-    if (!err)
-        err = check_size(path, *codec, settings, msg);
-    if (err)
-        return err;
+    BEAD_TRY(check_kind(path, *codec, settings, msg));
+    BEAD_TRY(check_size(path, *codec, settings, msg));
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second; must be between 0.01 and 1000", path, settings->fps);
     return (*codec)->presets ? check_encoders(path, *codec, settings, msg) : BEAD_OK;
@@ -307,10 +304,9 @@ static enum bead_error commit(struct bead_movie *movie, struct bead_message *msg
 {
     if (!movie->plain)
         return bead_file_commit(movie->part, movie->path, msg);
-    enum bead_error err = bead_file_commit(movie->plain, movie->path, msg);
-    if (!err)
-        bead_file_discard(movie->part);
-    return err;
+    BEAD_TRY(bead_file_commit(movie->plain, movie->path, msg));
+    bead_file_discard(movie->part);
+    return BEAD_OK;
 }
 
 /* `whole`: finish the file under its own name; else leave the unfinished file, which can be played up to here. */

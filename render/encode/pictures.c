@@ -32,27 +32,26 @@ static enum bead_error add_slot(struct bead_pictures *p, struct bead_message *ms
 
 enum bead_error bead_pictures_reserve(struct bead_pictures *pictures, size_t count, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     if (count <= pictures->count)
         return BEAD_OK;
     struct bead_picture_slot *more = realloc(pictures->slots, count * sizeof *more);
     if (!more)
         return no_memory(pictures, msg);
     pictures->slots = more;
-    while (!err && pictures->count < count)
-        err = add_slot(pictures, msg);
-    return err;
+    while (pictures->count < count)
+        BEAD_TRY(add_slot(pictures, msg));
+    return BEAD_OK;
 }
 
 enum bead_error bead_pictures_open(const AVCodecContext *encoder, const char *name, struct bead_pictures *pictures,
                                    struct bead_message *msg)
 {
     *pictures = (struct bead_pictures){.encoder = encoder, .name = name};
-    enum bead_error err = bead_pictures_reserve(pictures, 1, msg);
+    BEAD_TRY(bead_pictures_reserve(pictures, 1, msg));
     pictures->convert = bead_convert_find(encoder->pix_fmt);
-    if (!err && !pictures->convert)
-        err = bead_fail(msg, BEAD_ERROR_CODEC, "%s: cannot convert pixels for this encoder", name);
-    return err;
+    if (!pictures->convert)
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: cannot convert pixels for this encoder", name);
+    return BEAD_OK;
 }
 
 void bead_pictures_close(struct bead_pictures *pictures)

@@ -226,14 +226,14 @@ static enum bead_error measure(void *still, struct bead_message *msg)
     struct bead_still *s = still;
     double left = 0; /* of the first panels, which begin below each other even if rows differ */
     take_areas(s);
-    enum bead_error err = panels_put(s, false, msg);
+    BEAD_TRY(panels_put(s, false, msg));
     for (size_t p = 0; p < s->count; p++)
         left = s->panels[p].column == 0 ? fmax(left, s->panels[p].insets.left) : left;
     for (size_t p = 0; p < s->count; p++) {
         s->layout.boxes[p].reach = s->panels[p].insets;
         s->layout.boxes[p].reach.left = s->panels[p].column == 0 ? left : s->panels[p].insets.left;
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error no_room(void *still, struct bead_message *msg)

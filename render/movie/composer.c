@@ -181,10 +181,9 @@ static enum bead_error create_canvas(struct bead_composer *c, struct bead_messag
     }
     if (!width)
         return BEAD_OK;
-    enum bead_error err = bead_canvas_create(c->setup.canvas, width, height, &c->canvas, msg);
-    if (!err)
-        snprintf(c->painter, sizeof c->painter, "%s", bead_canvas_painter(c->canvas));
-    return err;
+    BEAD_TRY(bead_canvas_create(c->setup.canvas, width, height, &c->canvas, msg));
+    snprintf(c->painter, sizeof c->painter, "%s", bead_canvas_painter(c->canvas));
+    return BEAD_OK;
 }
 
 const char *bead_composer_painter(const struct bead_composer *c)

@@ -146,9 +146,9 @@ static enum bead_error frame_sample(struct bead_sink *s, const struct bead_sampl
 {
     if (!s->found)
         bead_interest_feed(s->composer, sample);
-    enum bead_error err = s->found ? bead_composer_feed(s->composer, sample, msg) : BEAD_OK;
-    if (err || sample->chain + 1 < s->film.context.chain_count)
-        return err;
+    BEAD_TRY(s->found ? bead_composer_feed(s->composer, sample, msg) : BEAD_OK);
+    if (sample->chain + 1 < s->film.context.chain_count)
+        return BEAD_OK;
     s->seen = sample->time;
     return pass_frames(s, sample->time + 1e-6 * s->film.times.grid.every, msg);
 }

@@ -281,9 +281,7 @@ static enum bead_error find_views(struct bead_composer *c, struct bead_message *
     const struct bead_output *output = c->setup.output;
     struct bead_movie_wants *w = &c->wants;
     for (size_t i = 0; i < output->views.count && i < BEAD_MOST_VIEWS; i++) {
-        enum bead_error err = bead_view_take(&output->views, i, &w->views[w->view_count++], msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_view_take(&output->views, i, &w->views[w->view_count++], msg));
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);

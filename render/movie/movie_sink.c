@@ -104,24 +104,18 @@ static void movie_destroy(struct bead_sink *s)
 static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_output *output, const struct bead_run_context *context,
                                      struct bead_message *msg)
 {
-    enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
-    if (!err && output->movie.poster && output->movie.poster[0])
-        err = bead_file_join(context->directory, output->movie.poster, &s->poster_path, msg);
-    if (!err && output->movie.slides && output->movie.slides[0])
-        err = bead_file_join(context->directory, output->movie.slides, &s->slides_path, msg);
-    if (!err)
-        err = bead_file_join(context->directory, output->path, &s->path, msg);
-    if (!err)
-        err = bead_movie_notes_make(&s->film, &s->notes, msg);
-    if (!err)
-        err = bead_film_sound_create(&s->film, &s->sound, msg);
-    if (!err)
-        err = bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_film_prepare(output, context, &s->film, msg));
+    if (output->movie.poster && output->movie.poster[0])
+        BEAD_TRY(bead_file_join(context->directory, output->movie.poster, &s->poster_path, msg));
+    if (output->movie.slides && output->movie.slides[0])
+        BEAD_TRY(bead_file_join(context->directory, output->movie.slides, &s->slides_path, msg));
+    BEAD_TRY(bead_file_join(context->directory, output->path, &s->path, msg));
+    BEAD_TRY(bead_movie_notes_make(&s->film, &s->notes, msg));
+    BEAD_TRY(bead_film_sound_create(&s->film, &s->sound, msg));
+    BEAD_TRY(bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg));
     const struct bead_movie_settings settings = movie_settings_of(s);
     struct bead_message why = {""};
-    err = bead_movie_check(output->path, &settings, &why);
+    const enum bead_error err = bead_movie_check(output->path, &settings, &why);
     const size_t named = strlen(output->path) + strlen(": size"); /* "a.mp4: size 641 x 361 is odd" */
     if (err == BEAD_ERROR_SCENE && strlen(why.text) > named && strncmp(why.text + named - 4, "size", 4) == 0)
         return bead_output_wrong(output, msg, "size:%s", why.text + named);
@@ -169,7 +163,6 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
 {
     struct parcel *parcel = bead_ring_buffer_slot(s->encoding);
     const struct bead_frame *frame = bead_composer_frame(s->composer);
-    enum bead_error err = BEAD_OK;
     if (!parcel) /* finish_pipes reports why */
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->film.output->path);
     parcel->changes = *changes;
@@ -185,13 +178,12 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     }
     struct bead_changes *missing = &s->missing[parcel->buffer];
     if (s->ahead)
-        err = bead_movie_convert(s->movie, parcel->buffer, frame, missing, msg);
+        BEAD_TRY(bead_movie_convert(s->movie, parcel->buffer, frame, missing, msg));
     for (size_t i = 0; !s->ahead && i < missing->count; i++)
         bead_frame_copy(&s->buffer[parcel->buffer], frame, missing->rect[i]);
     missing->count = 0;
-    if (!err)
-        bead_ring_buffer_submit(s->encoding);
-    return err;
+    bead_ring_buffer_submit(s->encoding);
+    return BEAD_OK;
 }
 
 static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
@@ -210,11 +202,8 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
         struct bead_changes changes = {0};
         if (bead_stop_is_asked(s->film.context.stop)) /* pauses and cards are many frames from one sample */
             return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->film.output->path, s->drawn);
-        enum bead_error err = bead_movie_draws(&s->film.times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
-        if (!err)
-            err = send_frame(s, &changes, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_movie_draws(&s->film.times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK);
+        BEAD_TRY(send_frame(s, &changes, msg));
         s->drawn++;
     }
     return BEAD_OK;
@@ -260,19 +249,17 @@ static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *ms
 
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
-    enum bead_error err = bead_film_compose(&s->film, range, s->poster_path != NULL, &s->composer, msg);
+    BEAD_TRY(bead_film_compose(&s->film, range, s->poster_path != NULL, &s->composer, msg));
     struct bead_movie_settings settings = movie_settings_of(s);
     s->poster = bead_poster_choose(s->film.output->movie.poster_at, s->film.times.step);
-    if (!err)
-        err = bead_movie_open(s->path, &settings, &s->movie, msg);
-    if (!err)
-        err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
-    for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++) {
-        err = bead_frame_create(s->film.width, s->film.height, &s->buffer[i], msg);
+    BEAD_TRY(bead_movie_open(s->path, &settings, &s->movie, msg));
+    BEAD_TRY(bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg));
+    for (int i = 0; !s->ahead && i < FRAME_SLOTS; i++) {
+        BEAD_TRY(bead_frame_create(s->film.width, s->film.height, &s->buffer[i], msg));
         s->buffer[i].alpha = settings.alpha;
     }
     bead_canvas_prepare(s->film.context.canvas); /* before our threads start */
-    return err ? err : create_pipes(s, msg);
+    return create_pipes(s, msg);
 }
 
 /* Copies moving beads, and beads at rest only once. */

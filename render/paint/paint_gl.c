@@ -289,10 +289,9 @@ static enum bead_error gl_stage(struct bead_canvas *canvas, const struct bead_st
     const struct bead_rect *clip = &ground->clip;
     BEAD_TRY(use(canvas, msg));
     bead_pixel_kernels_find(NULL)->stage_floor(stage);
-    enum bead_error err = bead_stage_gl(&canvas->painter->stage, size, stage, clip->y, msg);
-    if (!err)
-        read_pixels(*clip, ground->pixels, ground->stride, ground->origin[0] + clip->x, ground->origin[1] + clip->y);
-    return err ? err : bead_gl_check("reading pixels", msg);
+    BEAD_TRY(bead_stage_gl(&canvas->painter->stage, size, stage, clip->y, msg));
+    read_pixels(*clip, ground->pixels, ground->stride, ground->origin[0] + clip->x, ground->origin[1] + clip->y);
+    return bead_gl_check("reading pixels", msg);
 }
 
 const struct bead_painting bead_painting_gl = {

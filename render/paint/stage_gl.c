@@ -110,14 +110,13 @@ static enum bead_error upload_picture(const struct bead_stage_bake *bake, int pi
 
 static enum bead_error bind_pictures(struct bead_stage_bake *bake, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (int k = 0; !err && k < BEAD_STAGE_PICTURES; k++) {
+    for (int k = 0; k < BEAD_STAGE_PICTURES; k++) {
         glActiveTexture((GLenum)(GL_TEXTURE0 + FIRST_PICTURE + k));
         if (bake->picture[k] && !bake->texture[k])
-            err = upload_picture(bake, k, &bake->texture[k], msg);
+            BEAD_TRY(upload_picture(bake, k, &bake->texture[k], msg));
         glBindTexture(GL_TEXTURE_RECTANGLE, bake->texture[k]);
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* The floor's light in each row, every 8 pixels. */
@@ -276,9 +275,8 @@ static size_t bead_boxes(struct rectangle *r, const struct bead_stage *s, const 
 static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind, const int size[2], const struct bead_stage *s,
                                    float skip, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     bool used = false;
-    for (size_t k = 0; !err && k < s->bake_count; k++) {
+    for (size_t k = 0; k < s->bake_count; k++) {
         size_t n = 0;
         for (size_t i = 0; i < s->count; i++) {
             if (s->beads[i].bake == &s->bakes[k])
@@ -287,14 +285,12 @@ static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind,
         if (n == 0)
             continue;
         if (!used)
-            err = use_program(p, kind, size, s, msg);
+            BEAD_TRY(use_program(p, kind, size, s, msg));
         used = true;
-        if (!err)
-            err = bind_pictures(&s->bakes[k], msg);
-        if (!err)
-            draw(p, n);
+        BEAD_TRY(bind_pictures(&s->bakes[k], msg));
+        draw(p, n);
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2], const struct bead_stage *s, float skip,
@@ -312,10 +308,9 @@ static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2
     const float left = fmaxf(0, ceilf(w->x - 0.5f)), right = fminf(floorf(w->x + w->width), (float)s->width);
     if (w->width <= 0 || !add_box(r, left, fmaxf(skip, top), right, bottom))
         return BEAD_OK;
-    enum bead_error err = use_program(p, WALL, size, s, msg);
-    if (!err)
-        draw(p, 1);
-    return err;
+    BEAD_TRY(use_program(p, WALL, size, s, msg));
+    draw(p, 1);
+    return BEAD_OK;
 }
 
 static enum bead_error open_painter(struct bead_stage_painter **painter, size_t count, struct bead_message *msg)
@@ -352,16 +347,12 @@ enum bead_error bead_stage_gl(struct bead_stage_painter **painter, const int siz
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, size[0], size[1]);
-    enum bead_error err = upload_floor(p, s, skip, msg);
-    if (!err)
-        err = use_program(p, FLOOR, size, s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(upload_floor(p, s, skip, msg));
+    BEAD_TRY(use_program(p, FLOOR, size, s, msg));
     draw(p, floor_boxes(p->rectangles, s, (float)skip));
-    for (enum kind kind = MIRROR; !err && kind < KINDS; kind++)
-        err = paint_beads(p, kind, size, s, (float)skip, msg);
-    if (!err)
-        err = paint_wall(p, size, s, (float)skip, msg);
+    for (enum kind kind = MIRROR; kind < KINDS; kind++)
+        BEAD_TRY(paint_beads(p, kind, size, s, (float)skip, msg));
+    BEAD_TRY(paint_wall(p, size, s, (float)skip, msg));
     glActiveTexture(GL_TEXTURE0);
-    return err ? err : bead_gl_check("painting a stage", msg);
+    return bead_gl_check("painting a stage", msg);
 }

@@ -152,8 +152,8 @@ enum bead_error bead_plane_plot_fill(struct bead_plot_data *data, struct bead_me
 {
     if (bead_sweep_panel(data->context.sweep, 0)->spec->over.key_count > 0)
         return sweep_plot_fill_keys(data, fill_keys, msg);
-    enum bead_error err = sweep_plot_reserve_places(data, msg);
-    for (size_t p = 0; p < data->count && !err; p++)
-        err = fill_spins(data, p, msg);
-    return err;
+    BEAD_TRY(sweep_plot_reserve_places(data, msg));
+    for (size_t p = 0; p < data->count; p++)
+        BEAD_TRY(fill_spins(data, p, msg));
+    return BEAD_OK;
 }

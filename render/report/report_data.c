@@ -53,20 +53,19 @@ static enum bead_error write_picture(const struct bead_sink *s, const struct bea
     BEAD_FREED char *path = NULL;
     BEAD_FREED char *bytes = NULL;
     size_t count = 0;
-    enum bead_error err = bead_file_join(s->context.directory, output->path, &path, msg);
-    const uint64_t size = err ? 0 : bead_file_bytes(path);
-    if (size <= MOST_PICTURE && size > 0)
-        err = bead_file_read(path, size, &bytes, &count, msg);
-    if (!err && count > 0) {
-        fputs("<figure><img alt=\"", file);
-        err = write_alternative(s, output->still.caption, file, msg);
-        fprintf(file, "\" src=\"data:%s;base64,", picture_type(output));
-        report_base64(file, (const unsigned char *)bytes, count);
-        fputs("\"><figcaption>", file);
-        bead_origin_escape(output->path, file);
-        fputs("</figcaption></figure>\n", file);
-    }
-    return err;
+    BEAD_TRY(bead_file_join(s->context.directory, output->path, &path, msg));
+    const uint64_t size = bead_file_bytes(path);
+    if (size > MOST_PICTURE || size == 0)
+        return BEAD_OK;
+    BEAD_TRY(bead_file_read(path, size, &bytes, &count, msg));
+    fputs("<figure><img alt=\"", file);
+    BEAD_TRY(write_alternative(s, output->still.caption, file, msg));
+    fprintf(file, "\" src=\"data:%s;base64,", picture_type(output));
+    report_base64(file, (const unsigned char *)bytes, count);
+    fputs("\"><figcaption>", file);
+    bead_origin_escape(output->path, file);
+    fputs("</figcaption></figure>\n", file);
+    return BEAD_OK;
 }
 
 /* Writes the pictures that other outputs of the scene have made in this run. */

@@ -187,12 +187,13 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
     if (!c->field || (c->beads && !c->displacement))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
-    enum bead_error err = bead_area_create(&setup, &c->area, msg);
-    if (!err && s->held)
-        err = bead_held_create(c->chain, report_fields(s, c), s->output->shown.beads, &c->held, msg);
-    if (!err && s->measured)
-        err = bead_measures_create(c->chain, false, &c->measures, msg);
-    return err || !s->measured ? err : bead_measures_create(c->chain, true, &c->check, msg);
+    BEAD_TRY(bead_area_create(&setup, &c->area, msg));
+    if (s->held)
+        BEAD_TRY(bead_held_create(c->chain, report_fields(s, c), s->output->shown.beads, &c->held, msg));
+    if (!s->measured)
+        return BEAD_OK;
+    BEAD_TRY(bead_measures_create(c->chain, false, &c->measures, msg));
+    return bead_measures_create(c->chain, true, &c->check, msg);
 }
 
 static enum bead_error report_begin(struct bead_sink *s, struct bead_range, struct bead_message *msg)

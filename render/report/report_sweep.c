@@ -115,25 +115,13 @@ static enum bead_error take_sample(void *context, const struct bead_sample *samp
 }
 
 /* All images end when the last front arrives, or at the scene's `until`. */
-static enum bead_error find_end(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
-{
-    const double until = bead_sweep_scene(r->sweep)->simulate.until;
-    r->end = isnan(until) ? 0 : until;
-    if (!isnan(until))
-        return BEAD_OK;
-    for (size_t i = 0; i < r->count; i++)
-        r->watches[i] = (struct bead_sweep_watch){.panel = r->images[i].panel, .index = r->images[i].index};
-    enum bead_error err = bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
-    for (size_t i = 0; i < r->count; i++)
-        r->end = fmax(r->end, r->watches[i].arrival);
-    return err;
-}
-
 static enum bead_error run_images(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
-    enum bead_error err = find_end(r, settings, msg);
-    for (size_t i = 0; i < r->count && !err; i++) {
-        err = make_area(r, &r->images[i], msg);
+    for (size_t i = 0; i < r->count; i++)
+        r->watches[i] = (struct bead_sweep_watch){.panel = r->images[i].panel, .index = r->images[i].index};
+    BEAD_TRY(bead_sweep_end(r->sweep, r->watches, r->count, settings, &r->end, msg));
+    for (size_t i = 0; i < r->count; i++) {
+        BEAD_TRY(make_area(r, &r->images[i], msg));
         r->watches[i] = (struct bead_sweep_watch){.panel = r->images[i].panel,
                                                   .index = r->images[i].index,
                                                   .end = r->end,
@@ -142,7 +130,7 @@ static enum bead_error run_images(struct sweep_report *r, const struct bead_swee
                                                   .take = take_sample,
                                                   .context = &r->images[i]};
     }
-    return err ? err : bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
+    return bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
 }
 
 static enum bead_error find_range(struct sweep_report *r, struct bead_message *msg)
@@ -170,9 +158,8 @@ static enum bead_error write_image(const struct sweep_report *r, const struct sw
     BEAD_FREED double *means = malloc(places * sizeof *means);
     BEAD_FREED unsigned char *bytes = malloc(room);
     size_t used = 0;
-    if (!means || !bytes) {
+    if (!means || !bytes)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report of a sweep");
-    }
     for (int t = 0; t < r->times; t++) {
         size_t reached = bead_area_column(image->area, t, means) ? places : 0;
         while (reached > 0 && bead_colours_index(&colours, means[reached - 1]) == rest)

@@ -109,10 +109,9 @@ static enum bead_error include_file(const char *name, FILE *file, struct bead_me
 {
     BEAD_FREED char *text = NULL;
     size_t length = 0;
-    enum bead_error err = read_file(name, &text, &length, msg);
-    if (!err)
-        fwrite(text, 1, length, file);
-    return err;
+    BEAD_TRY(read_file(name, &text, &length, msg));
+    fwrite(text, 1, length, file);
+    return BEAD_OK;
 }
 
 struct filling {
@@ -205,13 +204,11 @@ static enum bead_error write_body(const struct filling *filling, FILE *file, str
     BEAD_FREED char *text = NULL;
     size_t length = 0;
     const char *name = filling->page->body;
-    enum bead_error err = read_file(name, &text, &length, msg);
-    const char *licence_end = err ? NULL : strchr(text, '\n');
-    if (!err && (!licence_end || strstr(text, "{{body}}")))
-        err = bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: its first line is not the licence, or it contains {{body}}", name);
-    if (!err)
-        err = fill(filling, name, licence_end + 1, file, msg);
-    return err;
+    BEAD_TRY(read_file(name, &text, &length, msg));
+    const char *licence_end = strchr(text, '\n');
+    if (!licence_end || strstr(text, "{{body}}"))
+        return bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: its first line is not the licence, or it contains {{body}}", name);
+    return fill(filling, name, licence_end + 1, file, msg);
 }
 
 static enum bead_error fill_page(void *context, FILE *file, const char *part, struct bead_message *msg)

@@ -117,12 +117,11 @@ static enum bead_error open_paper(const struct bead_output *output, const struct
                                   struct bead_message *msg)
 {
     *paper = (struct paper){.output = output, .context = context};
-    enum bead_error err = bead_page_find(output, &paper->page, msg);
-    if (!err)
-        bead_page_look(&paper->page, &output->paper, &paper->look);
-    if (!err && output->curves.show == BEAD_SHOW_SETUP && !paper->page.paper)
+    BEAD_TRY(bead_page_find(output, &paper->page, msg));
+    bead_page_look(&paper->page, &output->paper, &paper->look);
+    if (output->curves.show == BEAD_SHOW_SETUP && !paper->page.paper)
         enlarge(&paper->look, paper->page.width);
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error draw_paper(void *context, cairo_t *cr, struct bead_message *msg)

@@ -170,15 +170,14 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
     const struct bead_area_image image = bead_orientation_image(v->setup.orientation, v->places, v->indices, v->plot.width);
-    enum bead_error err = BEAD_OK;
     bool before = v->area; /* the first sample */
-    while (!err && before && v->done < to) {
-        err = bead_area_colour(v->area, &v->table, v->done, to, &image, &v->done, msg);
+    while (before && v->done < to) {
+        BEAD_TRY(bead_area_colour(v->area, &v->table, v->done, to, &image, &v->done, msg));
         before = v->done == v->first && v->done < to;
         if (before)
             v->first = ++v->done;
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Writes the pixels of `rect`, a part of the plot. */

@@ -152,15 +152,14 @@ static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a stage needs a canvas to be painted on");
     if (v->latest.fed == 0)
         return BEAD_OK;
-    enum bead_error err = prepare(v, time, msg);
-    if (!err)
-        err = bead_stage_paint(v, v->canvas, v->strip, frame, msg);
-    if (!err && changes)
+    BEAD_TRY(prepare(v, time, msg));
+    BEAD_TRY(bead_stage_paint(v, v->canvas, v->strip, frame, msg));
+    if (changes)
         bead_changes_add(changes, (struct bead_rect){v->strip.x, v->strip.y + v->head, v->strip.width, v->strip.height - v->head});
-    if (!err && v->row.height > 0)
-        err = paint_row(v, frame, background, changes, msg);
-    v->drawn = !err;
-    return err;
+    if (v->row.height > 0)
+        BEAD_TRY(paint_row(v, frame, background, changes, msg));
+    v->drawn = true;
+    return BEAD_OK;
 }
 
 /* The camera also follows the wave in frames that are not drawn. */

@@ -294,11 +294,11 @@ static enum bead_error add_look(struct command *command, const struct command_op
 {
     BEAD_FREED char *list = as_list(value, row->separators, row->run);
     char **look = &command->looks[command->job.look_count];
-    enum bead_error err = check_draws(command, row->name, msg);
-    if (!err && (!list || asprintf(look, "--%s=%s", row->name, list) < 0))
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
-    command->job.look_count += !err;
-    return err;
+    BEAD_TRY(check_draws(command, row->name, msg));
+    if (!list || asprintf(look, "--%s=%s", row->name, list) < 0)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    command->job.look_count++;
+    return BEAD_OK;
 }
 
 /* Applies the members of the row, then its function. */
@@ -313,8 +313,8 @@ static enum bead_error apply_row(struct command *command, const struct command_o
         *(bool *)(void *)((char *)command + row->flag) = true;
     if (row->action != COMMAND_RUN)
         command->action = row->action;
-    enum bead_error err = row->draws ? check_draws(command, row->name, msg) : BEAD_OK;
-    return err || !row->apply ? err : row->apply(command, value, msg);
+    BEAD_TRY(row->draws ? check_draws(command, row->name, msg) : BEAD_OK);
+    return row->apply ? row->apply(command, value, msg) : BEAD_OK;
 }
 
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
@@ -365,12 +365,9 @@ enum bead_error command_parse(struct command *command, int argc, char **argv, st
         while (found < 256 && rows[i].letter != found)
             i++;
         const char *words[COMMAND_MOST_WORDS];
-        enum bead_error err =
-            command_words(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
-        if (!err)
-            err = rows[i].separators ? add_look(command, &rows[i], optarg, msg) : apply_row(command, &rows[i], optarg, msg);
-        if (err)
-            return err;
+        if (command_words(command->program, &rows[i], words) > 0)
+            BEAD_TRY(check_word(command->program, &rows[i], optarg, msg));
+        BEAD_TRY(rows[i].separators ? add_look(command, &rows[i], optarg, msg) : apply_row(command, &rows[i], optarg, msg));
         if (command->action >= COMMAND_HELP)
             return BEAD_OK;
     }

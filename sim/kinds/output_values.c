@@ -56,11 +56,11 @@ static enum bead_error read_name(const struct bead_reader *reader, const struct 
                                  const char *const *names, unsigned *seen, unsigned *found)
 {
     struct bead_at element = bead_at_item(list, index);
-    enum bead_error err = bead_read_choice(reader, &element, names, found);
-    if (!err && *seen >> *found & 1)
-        err = bead_wrong(reader, &element, "`%s` is in the list twice", names[*found]);
+    BEAD_TRY(bead_read_choice(reader, &element, names, found));
+    if (*seen >> *found & 1)
+        return bead_wrong(reader, &element, "`%s` is in the list twice", names[*found]);
     *seen |= 1u << *found;
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error need_list(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option)

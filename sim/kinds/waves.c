@@ -357,11 +357,10 @@ BEAD_OPTION_READER(bead_output_read_measured)
     if (output->plot.normalise != BEAD_NORMALISE_NONE)
         return bead_wrong(reader, at, "is in the unit of the field: leave `normalise` out");
     BEAD_TRY(bead_new(&curves->measured, count, reader->msg, "an output"));
-    for (enum bead_error err; curves->measured_count < count;) {
+    while (curves->measured_count < count) {
         const struct bead_at item = bead_at_item(at, curves->measured_count);
-        err = read_measured(reader, &item, bead_field_info(output->shown.field)->unit, &curves->measured[curves->measured_count++]);
-        if (err)
-            return err;
+        struct bead_measured *measured = &curves->measured[curves->measured_count++];
+        BEAD_TRY(read_measured(reader, &item, bead_field_info(output->shown.field)->unit, measured));
     }
     return BEAD_OK;
 }

@@ -321,9 +321,7 @@ enum bead_error bead_read_pair(const struct bead_reader *reader, const struct be
         return bead_must_be(reader, at, wanted);
     for (size_t i = 0; i < 2; i++) {
         struct bead_at element = bead_at_item(at, i);
-        enum bead_error err = bead_read_number(reader, &element, option, &value[i]);
-        if (err)
-            return err;
+        BEAD_TRY(bead_read_number(reader, &element, option, &value[i]));
     }
     return BEAD_OK;
 }
@@ -347,7 +345,6 @@ static BEAD_OPTION_READER(read_value)
 {
     char *field = (char *)settings + option->offset;
     unsigned choice = 0;
-    enum bead_error err = BEAD_OK;
     switch (option->type) {
     case BEAD_OPTION_NUMBER:
         return bead_read_number(reader, at, option, (double *)(void *)field);
@@ -362,11 +359,10 @@ static BEAD_OPTION_READER(read_value)
     case BEAD_OPTION_TEXT:
         return bead_read_text(reader, at, (char **)(void *)field);
     case BEAD_OPTION_CHOICE:
-        err = bead_read_choice(reader, at, option->choices, &choice);
+        BEAD_TRY(bead_read_choice(reader, at, option->choices, &choice));
         _Static_assert(sizeof(enum bead_option_type) == sizeof choice, "enums are stored as unsigned");
-        if (!err)
-            memcpy(field, option->values ? &option->values[choice] : &choice, sizeof choice);
-        return err;
+        memcpy(field, option->values ? &option->values[choice] : &choice, sizeof choice);
+        return BEAD_OK;
     case BEAD_OPTION_MAP:
         return bead_options_read(reader, at, option->map, field);
     case BEAD_OPTION_CUSTOM:
@@ -383,10 +379,7 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
     struct bead_at at = {up, option->key, 0, &word};
     if (*option->initial == '[' || *option->initial == '{') {
         struct bead_node *parsed = NULL;
-        enum bead_error err =
-            bead_yaml_piece(reader->scratch, option->initial, strlen(option->initial), up->node->place, &parsed, reader->msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_yaml_piece(reader->scratch, option->initial, strlen(option->initial), up->node->place, &parsed, reader->msg));
         parsed->origin = up->node->origin;
         at.node = parsed;
     }

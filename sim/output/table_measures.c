@@ -33,12 +33,12 @@ static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_mess
     struct bead_run_context context = sink->context;
     sink->each = bead_measures_each(context.chains, context.chain_count);
     context.resolution *= BEAD_MEASURE_SPACING;
-    enum bead_error err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
-    if (!err && !(context.native.every > 0))
+    BEAD_TRY(bead_sink_grid(sink->output, &context, &sink->grid, msg));
+    if (!(context.native.every > 0))
         end_with_run(&sink->grid);
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
-    return err;
+    return BEAD_OK;
 }
 
 static void measures_needs(const struct bead_sink *sink, struct bead_needs *needs)
@@ -61,13 +61,12 @@ static bool is_check(const struct bead_sink *sink)
 static enum bead_error measures_begin(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = sink->context.chain_count;
-    enum bead_error err = BEAD_OK;
     BEAD_TRY(bead_new(&sink->measures, count, msg, "a table"));
-    for (size_t c = 0; !err && c < count; c++) {
+    for (size_t c = 0; c < count; c++) {
         if (of_beads(sink->context.chains[c])) /* equations have other measures */
-            err = bead_measures_create(sink->context.chains[c], is_check(sink), &sink->measures[c], msg);
+            BEAD_TRY(bead_measures_create(sink->context.chains[c], is_check(sink), &sink->measures[c], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)

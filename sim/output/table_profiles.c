@@ -9,10 +9,9 @@
 
 static enum bead_error profiles_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    enum bead_error err = bead_profile_times_create(sink->output, &sink->context, &sink->moments, msg);
-    if (!err)
-        snprintf(sink->why, sizeof sink->why, "%s", bead_profile_times_needs(sink->moments).why);
-    return err;
+    BEAD_TRY(bead_profile_times_create(sink->output, &sink->context, &sink->moments, msg));
+    snprintf(sink->why, sizeof sink->why, "%s", bead_profile_times_needs(sink->moments).why);
+    return BEAD_OK;
 }
 
 static void profiles_needs(const struct bead_sink *sink, struct bead_needs *needs)

@@ -45,11 +45,11 @@ const struct bead_options bead_scene_options = {"scene", "keys at the top of the
 static BEAD_OPTION_READER(read_chain)
 {
     struct bead_scene *scene = settings;
-    enum bead_error err = bead_not_beside(reader, at, "chains");
-    if (err || bead_sweep_node(at->up->node, 0))
-        return err; /* the pattern of the sweep, and read with it */
-    err = bead_scene_make_chains(reader, 1);
-    return err ? err : bead_scene_read_chain(reader, at, &scene->chains[0]);
+    BEAD_TRY(bead_not_beside(reader, at, "chains"));
+    if (bead_sweep_node(at->up->node, 0))
+        return BEAD_OK; /* the pattern of the sweep, and read with it */
+    BEAD_TRY(bead_scene_make_chains(reader, 1));
+    return bead_scene_read_chain(reader, at, &scene->chains[0]);
 }
 
 /* Beads have SI units, equations have none: they cannot share the axes of a picture. */

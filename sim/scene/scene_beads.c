@@ -283,15 +283,13 @@ static enum bead_error repeat(const struct bead_reader *reader, const struct bea
 static enum bead_error finish_entry(struct bead_reader *reader, const struct bead_at *at, struct written *w, bool group)
 {
     struct bead_chain_spec *chain = w->chain;
-    enum bead_error err =
-        bead_scene_vary_alike(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first);
-    if (!err && group)
-        err = repeat(reader, at, w);
-    if (!err)
-        err = bead_scene_vary_each(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first);
-    if (!err && !group)
-        err = decorate(reader, at, w);
-    return err ? err : check_length(reader, at, chain, 1);
+    BEAD_TRY(bead_scene_vary_alike(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first));
+    if (group)
+        BEAD_TRY(repeat(reader, at, w));
+    BEAD_TRY(bead_scene_vary_each(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first));
+    if (!group)
+        BEAD_TRY(decorate(reader, at, w));
+    return check_length(reader, at, chain, 1);
 }
 
 static enum bead_error read_entry(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)

@@ -128,15 +128,14 @@ static BEAD_OPTION_READER(read_starting_beads)
     const struct bead_option bead = {.type = BEAD_OPTION_COUNT, .low = 0, .high = last, .word = "last", .word_value = last};
     if (at->node->kind == BEAD_NODE_MAP || (at->node->kind == BEAD_NODE_LIST && at->node->count != 2))
         return bead_must_be(reader, at, option->shape);
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < 2 && !err; i++) {
+    for (size_t i = 0; i < 2; i++) {
         const struct bead_at end = at->node->kind == BEAD_NODE_LIST ? bead_at_item(at, i) : *at;
-        err = bead_read_count(reader, &end, &bead, &starting->beads[i]);
+        BEAD_TRY(bead_read_count(reader, &end, &bead, &starting->beads[i]));
     }
-    return !err && starting->beads[0] > starting->beads[1]
+    return starting->beads[0] > starting->beads[1]
                ? bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", starting->beads[0],
                             starting->beads[1])
-               : err;
+               : BEAD_OK;
 }
 
 static const struct bead_option starting_rows[] = {

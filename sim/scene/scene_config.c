@@ -106,11 +106,8 @@ static struct bead_place place_of(const struct bead_node *root, const char *key)
 static enum bead_error read_config(struct bead_reader *reader, struct bead_config *config)
 {
     const struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
-    enum bead_error err = bead_yaml_parse("default", "{}", 2, &reader->scratch, reader->msg);
-    if (!err)
-        err = bead_options_read(reader, &root, &config_options, config);
-    if (err)
-        return err;
+    BEAD_TRY(bead_yaml_parse("default", "{}", 2, &reader->scratch, reader->msg));
+    BEAD_TRY(bead_options_read(reader, &root, &config_options, config));
     config->style_place = place_of(root.node, "style");
     config->font_place = place_of(root.node, "font");
     config->canvas_place = place_of(root.node, "canvas");

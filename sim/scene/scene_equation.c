@@ -67,13 +67,13 @@ const struct bead_options bead_soliton_options = {"chain.start.solitons", "entri
 static BEAD_OPTION_READER(read_solitons)
 {
     struct bead_equation_spec *spec = &((struct bead_chain_spec *)settings)->equation;
-    enum bead_error err = bead_need_list(reader, at, option->shape, BEAD_SOLITONS, "solitons");
-    for (size_t i = 0; i < at->node->count && !err; i++) {
+    BEAD_TRY(bead_need_list(reader, at, option->shape, BEAD_SOLITONS, "solitons"));
+    for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        err = bead_options_read(reader, &element, &bead_soliton_options, &spec->solitons[i]);
         spec->soliton_count = i + 1;
+        BEAD_TRY(bead_options_read(reader, &element, &bead_soliton_options, &spec->solitons[i]));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static const struct bead_option solitons_rows[] = {
@@ -145,10 +145,9 @@ static BEAD_OPTION_READER(read_name)
     unsigned found = 0;
     for (size_t i = 0; i < BEAD_CHOICES && (system = bead_system_info(i + 1)); i++) /* row 0: beads */
         names[i] = system->name;
-    enum bead_error err = bead_read_choice(reader, at, names, &found);
-    if (!err)
-        chain->system = bead_system_info(found + 1);
-    return err;
+    BEAD_TRY(bead_read_choice(reader, at, names, &found));
+    chain->system = bead_system_info(found + 1);
+    return BEAD_OK;
 }
 
 /* Keys of all equations. */

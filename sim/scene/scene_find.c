@@ -69,10 +69,10 @@ static enum bead_error list_names(struct listing *list)
     char directory[PATH_MAX];
     BEAD_TRY(bead_asset_path("scenes", directory, sizeof directory, list->msg));
     list->before = strlen(directory) + 1;
-    enum bead_error err = walk(list, directory, 0);
-    if (!err && list->count > 1)
+    BEAD_TRY(walk(list, directory, 0));
+    if (list->count > 1)
         qsort(list->scenes, list->count, sizeof *list->scenes, by_name);
-    return err;
+    return BEAD_OK;
 }
 
 /* The title alone: a ready scene need not be whole to be listed. */

@@ -76,9 +76,9 @@ static enum bead_error find_fingerprint(const struct bead_reader *reader)
         const double numbers[] = {m->mass, m->radius, m->modulus, m->poisson};
         hash = bead_fingerprint(bead_fingerprint(hash, m->name, strlen(m->name)), numbers, sizeof numbers);
     }
-    enum bead_error err = bead_sweep_hash_scene(scene->tree, &hash, reader->msg);
+    BEAD_TRY(bead_sweep_hash_scene(scene->tree, &hash, reader->msg));
     scene->fingerprint = hash;
-    return err;
+    return BEAD_OK;
 }
 
 /* Reports all errors at once. */
@@ -99,16 +99,12 @@ static enum bead_error read_all(struct bead_reader *reader, const struct bead_at
 static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, const char *config, bool changed)
 {
     struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
-    enum bead_error err = scene_prepare(reader);
-    if (!err)
-        err = bead_scene_take_own(reader, config, &changed);
-    if (!err)
-        err = keep_text(reader, text, length, changed);
-    if (!err)
-        err = read_all(reader, &root);
-    if (!err)
-        err = bead_scene_find_words(reader);
-    return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
+    BEAD_TRY(scene_prepare(reader));
+    BEAD_TRY(bead_scene_take_own(reader, config, &changed));
+    BEAD_TRY(keep_text(reader, text, length, changed));
+    BEAD_TRY(read_all(reader, &root));
+    BEAD_TRY(bead_scene_find_words(reader));
+    return reader->scene->sweep_count > 0 ? find_fingerprint(reader) : BEAD_OK;
 }
 
 static enum bead_error lay(const struct bead_reader *reader, const struct bead_override *override)

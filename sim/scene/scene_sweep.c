@@ -244,10 +244,10 @@ static bool add_group(struct bead_sweep_spec *sweep, const struct cells *cells, 
 static enum bead_error all_groups(const struct bead_reader *reader, struct bead_sweep_spec *sweep, const struct cells *cells)
 {
     size_t all = cells->random + cells->given;
-    enum bead_error err = make_groups(reader, sweep, all / 2 + 1);
-    for (size_t total = (all + 1) / 2; total <= all && !err; total++)
+    BEAD_TRY(make_groups(reader, sweep, all / 2 + 1));
+    for (size_t total = (all + 1) / 2; total <= all; total++)
         add_group(sweep, cells, total);
-    return err;
+    return BEAD_OK;
 }
 
 static int by_magnetism(const void *a, const void *b)
@@ -264,24 +264,23 @@ static enum bead_error list_groups(const struct bead_reader *reader, const struc
     size_t count = list ? at->node->count : 1, all = cells->random + cells->given;
     if (count == 0)
         return bead_wrong(reader, at, "is an empty list; must be all, a number, or a list of numbers from 0 to 1");
-    enum bead_error err = make_groups(reader, sweep, count);
-    for (size_t i = 0; i < count && !err; i++) {
+    BEAD_TRY(make_groups(reader, sweep, count));
+    for (size_t i = 0; i < count; i++) {
         const struct bead_at where = bead_at_item(at, i);
         double magnetism = 0;
-        err = bead_read_number(reader, &where, &number, &magnetism);
+        BEAD_TRY(bead_read_number(reader, &where, &number, &magnetism));
         size_t total = bead_spins_up(all, magnetism);
-        for (size_t k = 0; k < i && !err; k++) {
+        for (size_t k = 0; k < i; k++) {
             if (sweep->groups[k].up + cells->up == total)
-                err = bead_wrong(reader, &where, "gives the same magnetism as another of the list, %.6g, with %zu cells",
-                                 sweep->groups[k].magnetism, all);
+                return bead_wrong(reader, &where, "gives the same magnetism as another of the list, %.6g, with %zu cells",
+                                  sweep->groups[k].magnetism, all);
         }
-        if (!err && !add_group(sweep, cells, total))
-            err = bead_wrong(reader, &where, "is out of reach: of %zu cells %zu are fixed, %zu of these up", all, cells->given,
-                             cells->up);
+        if (!add_group(sweep, cells, total))
+            return bead_wrong(reader, &where, "is out of reach: of %zu cells %zu are fixed, %zu of these up", all, cells->given,
+                              cells->up);
     }
-    if (!err)
-        qsort(sweep->groups, sweep->group_count, sizeof *sweep->groups, by_magnetism);
-    return err;
+    qsort(sweep->groups, sweep->group_count, sizeof *sweep->groups, by_magnetism);
+    return BEAD_OK;
 }
 
 /* One group of each configuration given. */

@@ -61,10 +61,10 @@ static enum bead_error read_parts(const struct bead_reader *reader, const struct
         return bead_wrong(reader, at, "is none of them; the number must be 1 or more");
     if (*count + parts > BEAD_YAML_NODES)
         return bead_wrong(reader, at, "makes %zu beads of a cell; at most %d are allowed", *count + parts, BEAD_YAML_NODES);
-    enum bead_error err = bead_scene_find_material(reader, &named, true, &material);
-    size_t *grown = err ? NULL : realloc(*materials, (*count + parts) * sizeof *grown);
+    BEAD_TRY(bead_scene_find_material(reader, &named, true, &material));
+    size_t *grown = realloc(*materials, (*count + parts) * sizeof *grown);
     if (!grown)
-        return err ? err : bead_no_memory(reader);
+        return bead_no_memory(reader);
     *materials = grown;
     for (size_t i = 0; i < parts; i++)
         grown[(*count)++] = material;
@@ -247,7 +247,6 @@ static void take_values(const struct bead_reader *reader, size_t material, doubl
 enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const struct bead_at *at, const struct bead_variation *v,
                                       struct bead_segment *segments, size_t count)
 {
-    enum bead_error err = BEAD_OK;
     bool any = false;
     for (size_t i = 0; i < BEAD_VARIED_COUNT; i++)
         any = any || !isnan(v->value[i]);
@@ -256,17 +255,17 @@ enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const st
     for (size_t s = 0; s < count; s++) {
         size_t *of = segments[s].each ? segments[s].each : segments[s].cell;
         const size_t beads = segments[s].cell_beads * (segments[s].each ? segments[s].count : 1);
-        for (size_t i = 0; i < beads && !err; i++) {
+        for (size_t i = 0; i < beads; i++) {
             double value[BEAD_VARIED_COUNT];
             take_values(reader, of[i], value);
             if (!isnan(v->value[BEAD_VARIED_RADIUS]))
                 resize(value, v->value[BEAD_VARIED_RADIUS]);
             for (size_t k = BEAD_VARIED_MASS; k < BEAD_VARIED_COUNT; k++)
                 value[k] = isnan(v->value[k]) ? value[k] : v->value[k];
-            err = derive(reader, at, of[i], value, &of[i]);
+            BEAD_TRY(derive(reader, at, of[i], value, &of[i]));
         }
     }
-    return err;
+    return BEAD_OK;
 }
 
 static double tapered(const struct bead_variation *v, size_t k, size_t beads, double first, double radius)

@@ -172,8 +172,7 @@ enum bead_error bead_sweep_hash_scene(struct bead_yaml *yaml, uint64_t *hash, st
     put_rest(&m, kept, root, unimportant);
     if (m.failed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the fingerprint of a scene");
-    enum bead_error err = bead_yaml_emit(yaml, kept, &rest, msg);
-    if (!err)
-        *hash = bead_fingerprint(*hash, rest, strlen(rest));
-    return err;
+    BEAD_TRY(bead_yaml_emit(yaml, kept, &rest, msg));
+    *hash = bead_fingerprint(*hash, rest, strlen(rest));
+    return BEAD_OK;
 }

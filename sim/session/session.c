@@ -14,11 +14,10 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
 {
     s->chain_count = s->scene->chain_count;
     BEAD_TRY(bead_new(&s->own_chains, s->chain_count, msg, "a session"));
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < s->chain_count; i++)
-        err = bead_chain_outline(s->scene, &s->scene->chains[i], &s->own_chains[i], msg);
+    for (size_t i = 0; i < s->chain_count; i++)
+        BEAD_TRY(bead_chain_outline(s->scene, &s->scene->chains[i], &s->own_chains[i], msg));
     s->chains = (const struct bead_chain *const *)s->own_chains;
-    return err;
+    return BEAD_OK;
 }
 
 /* The latest time that the keys of an output name; 0: none. */
@@ -93,17 +92,13 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
         return bead_session_open_sweep(s, msg);
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep to divide", s->job.input);
-    enum bead_error err = create_chains(s, msg);
-    if (!err)
-        err = bead_session_list_outputs(s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(create_chains(s, msg));
+    BEAD_TRY(bead_session_list_outputs(s, msg));
     find_accuracy(s);
     bead_session_doubt(s);
-    err = bead_session_find_resolution(s, msg);
-    if (!err)
-        err = find_end(s, msg);
-    return err ? err : bead_session_create_sinks(s, msg);
+    BEAD_TRY(bead_session_find_resolution(s, msg));
+    BEAD_TRY(find_end(s, msg));
+    return bead_session_create_sinks(s, msg);
 }
 
 /* Options that exclude each other, or need a file's name. */
@@ -153,10 +148,7 @@ static enum bead_error open_input(struct bead_session *s, struct bead_message *m
 
 static enum bead_error begin(struct bead_session *s, const struct bead_job *given, struct bead_message *msg)
 {
-    enum bead_error err =
-        bead_settings_take(&s->job, sizeof s->job, BEAD_SETTINGS_UP_TO(struct bead_job, sinks), given, "bead_job", msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_settings_take(&s->job, sizeof s->job, BEAD_SETTINGS_UP_TO(struct bead_job, sinks), given, "bead_job", msg));
     const struct bead_job *job = &s->job;
     s->kernels = bead_kernels_find(job->instructions);
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
@@ -170,8 +162,8 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
     if (job->still && !job->frame)
         s->job.frame = "peak";
-    err = check_job(job, msg);
-    return err ? err : open_input(s, msg);
+    BEAD_TRY(check_job(job, msg));
+    return open_input(s, msg);
 }
 
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)

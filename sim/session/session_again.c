@@ -62,10 +62,10 @@ static enum bead_error limit_to_files(struct bead_session *s, struct bead_output
         beads->first = beads->first < t->span.first ? t->span.first : beads->first;
         beads->last = beads->last > t->span.last ? t->span.last : beads->last;
     }
-    enum bead_error err = check_time(s, output, msg);
+    BEAD_TRY(check_time(s, output, msg));
     if (!(output->shown.time[0] >= s->native.start))
         output->shown.time[0] = s->native.start;
-    return err;
+    return BEAD_OK;
 }
 
 /* The file must hold the beads that an output needs, up to the end of its chains: no file has values beyond. */
@@ -157,12 +157,9 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     BEAD_TRY(bead_session_open_others(s, msg));
     const struct bead_scene *stored = bead_trajectory_scene(s->trajectory);
     size_t only = SIZE_MAX;
-    enum bead_error err = s->job.configuration ? bead_session_choose_chain(s, stored, source, &only, &changed, msg)
-                                               : bead_session_choose(s, stored, source, NULL, &changed, msg);
-    if (!err)
-        err = bead_trajectory_settle(s->trajectory, changed, only, msg);
-    if (err)
-        return err;
+    BEAD_TRY(s->job.configuration ? bead_session_choose_chain(s, stored, source, &only, &changed, msg)
+                                  : bead_session_choose(s, stored, source, NULL, &changed, msg));
+    BEAD_TRY(bead_trajectory_settle(s->trajectory, changed, only, msg));
     s->source = bead_trajectory_scene(s->trajectory);
     s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
     s->end = s->needed = s->trajectory->end;
@@ -170,15 +167,12 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     s->stored = stored_samples(s->trajectory);
     BEAD_TRY(bead_session_join(s, msg));
     BEAD_TRY(bead_session_bound(s, msg));
-    err = bead_session_list_outputs(s, msg);
+    BEAD_TRY(bead_session_list_outputs(s, msg));
     struct bead_made *m = s->made;
-    if (!err && source == BEAD_OF_TRAJECTORIES)
+    if (source == BEAD_OF_TRAJECTORIES)
         m->changed.curves.overlay = true;
-    if (!err)
-        err = bead_session_find_resolution(s, msg);
-    if (!err)
-        err = limit_to_files(s, &m->changed, msg);
-    if (!err)
-        err = bead_session_create_sink(s, m, msg);
-    return err ? err : check_stored(s, m, msg);
+    BEAD_TRY(bead_session_find_resolution(s, msg));
+    BEAD_TRY(limit_to_files(s, &m->changed, msg));
+    BEAD_TRY(bead_session_create_sink(s, m, msg));
+    return check_stored(s, m, msg);
 }

@@ -225,15 +225,12 @@ static enum bead_error place_single(const struct bead_session *s, struct bead_ma
 static enum bead_error place(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     const bool single = s->single && m == &s->made[s->amid ? s->single_index : 0];
-    enum bead_error err = single ? BEAD_OK : session_check_inside(s, m->output, m->output->path, msg);
-    if (!err)
-        err = session_check_inside(s, m->output, m->output->movie.poster, msg);
-    if (!err)
-        err = session_check_inside(s, m->output, m->output->movie.slides, msg);
-    if (!err && single)
-        err = place_single(s, m, msg);
     m->asked = s->single ? single : bead_session_is_asked(s, m->output);
-    return err;
+    if (!single)
+        BEAD_TRY(session_check_inside(s, m->output, m->output->path, msg));
+    BEAD_TRY(session_check_inside(s, m->output, m->output->movie.poster, msg));
+    BEAD_TRY(session_check_inside(s, m->output, m->output->movie.slides, msg));
+    return single ? place_single(s, m, msg) : BEAD_OK;
 }
 
 enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_message *msg)
@@ -242,18 +239,17 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     BEAD_TRY(check_names(s, msg));
     BEAD_TRY(bead_new(&s->made, s->source->output_count, msg, "a session"));
     s->made_count = alone ? 1 : s->source->output_count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < s->made_count && !err; i++) {
+    for (size_t i = 0; i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[alone ? s->single_index : i];
         m->name = m->output->path;
         if (!s->sweep_read || !bead_session_holds_sweep(m)) /* else that file exists */
             m->type = bead_session_find_type(&s->job, m->output, s->source->sweep_count > 0);
-        err = place(s, m, msg);
+        BEAD_TRY(place(s, m, msg));
         if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)
             s->keeper = m->output;
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- what is made, and what cannot be ---- */

@@ -219,9 +219,7 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
         return bead_session_plan_sweep(s, out, msg);
     for (size_t i = 0; i < s->chain_count; i++) {
         struct bead_pace pace;
-        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg));
         plan_chain(s, i, &pace, out);
     }
     for (size_t k = 0; k < s->source->fit.count; k++) {
@@ -235,12 +233,9 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
         fprintf(out, "accuracy: %.3g instead of the default, for %s\n", s->source->simulate.accuracy, s->exacting->path);
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
-    enum bead_error err = plan_comparison(s, out, msg);
-    if (!err)
-        plan_checks(s, out);
-    if (!err)
-        plan_sensitivities(s, out);
-    if (!err)
-        plan_skips(s, out);
-    return err;
+    BEAD_TRY(plan_comparison(s, out, msg));
+    plan_checks(s, out);
+    plan_sensitivities(s, out);
+    plan_skips(s, out);
+    return BEAD_OK;
 }

@@ -68,9 +68,7 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
         struct bead_made *m = &s->made[i];
         if (!m->sink)
             continue;
-        enum bead_error err = m->type->begin(m->sink, m->range, msg);
-        if (err)
-            return err;
+        BEAD_TRY(m->type->begin(m->sink, m->range, msg));
         bead_session_ask_needs(s, m);
         consumers[(*count)++] =
             (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .context = m};
@@ -132,16 +130,15 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
 static enum bead_error collect_outcomes(struct bead_session *s, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(&s->outcomes, s->chain_count, msg, "outcomes"));
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < s->chain_count; i++) {
+    for (size_t i = 0; i < s->chain_count; i++) {
         size_t number = i;
         const struct bead_trajectory *file = s->trajectory ? bead_session_file_of(s, &number) : NULL;
         if (file)
-            err = bead_trajectory_outcome(file, number, &s->outcomes[i], msg);
+            BEAD_TRY(bead_trajectory_outcome(file, number, &s->outcomes[i], msg));
         else
             s->outcomes[i] = s->played.outcomes[i];
     }
-    return err;
+    return BEAD_OK;
 }
 
 static void add_result(struct bead_session *s, const struct bead_made *m, const char *path)
@@ -161,13 +158,11 @@ static enum bead_error session_stop(struct bead_session *s, struct bead_made *m,
 {
     if (!m->type->stop)
         return BEAD_OK;
-    enum bead_error err = m->type->stop(m->sink, s->outcomes, msg);
-    if (!err)
-        err = bead_file_part_name(m->path, &m->part, msg);
-    m->ended = !err;
-    if (!err)
-        add_result(s, m, m->part);
-    return err;
+    BEAD_TRY(m->type->stop(m->sink, s->outcomes, msg));
+    BEAD_TRY(bead_file_part_name(m->path, &m->part, msg));
+    m->ended = true;
+    add_result(s, m, m->part);
+    return BEAD_OK;
 }
 
 static enum bead_error write_sweep(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
@@ -179,10 +174,8 @@ static enum bead_error write_sweep(const struct bead_session *s, struct bead_mad
 
 enum bead_error bead_session_finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
-    enum bead_error err = m->type->write ? write_sweep(s, m, msg) : m->type->end(m->sink, s->outcomes, msg);
-    m->ended = !err;
-    if (err)
-        return err;
+    BEAD_TRY(m->type->write ? write_sweep(s, m, msg) : m->type->end(m->sink, s->outcomes, msg));
+    m->ended = true;
     if (m->bytes == 0) /* the sink does not count them */
         m->bytes = bead_file_bytes(m->path);
     bead_session_release_output(m);

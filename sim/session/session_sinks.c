@@ -34,9 +34,7 @@ enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead
     s->resolution = INFINITY;
     for (size_t i = 0; i < s->chain_count; i++) {
         struct bead_pace pace;
-        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg));
         s->resolution = fmin(s->resolution, pace.resolution);
     }
     s->tolerance_factor = bead_run_tolerance_factor(s->chains, s->chain_count, &s->source->simulate);
@@ -172,12 +170,9 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .claimed = true,
                                        .frame = m->frame.text ? &m->frame : NULL,
                                        .directory = s->trajectory || !s->job.output ? "." : s->job.output};
-    enum bead_error err =
-        m->type->looks_at_beads && m->type->looks_at_beads(m->output, &context) ? bead_session_lay(s, msg) : BEAD_OK;
-    if (!err)
-        err = m->type->create(m->output, &context, &m->sink, msg);
-    if (err)
-        return err;
+    if (m->type->looks_at_beads && m->type->looks_at_beads(m->output, &context))
+        BEAD_TRY(bead_session_lay(s, msg));
+    BEAD_TRY(m->type->create(m->output, &context, &m->sink, msg));
     bead_session_ask_needs(s, m);
     m->shared = m->shared && s->native.every > 0 && !m->needs.grid.times && m->needs.grid.every == s->native.every;
     return bead_file_join(context.directory, m->output->path, &m->path, msg);

@@ -75,12 +75,9 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s is computed already", s->job.input);
     BEAD_TRY(bead_sweep_open(s->job.input, &(struct bead_overrides){.own = s->job.own}, &s->sweep, msg));
     struct bead_scene *changed = NULL;
-    enum bead_error err = s->job.sheet ? bead_session_choose_sheet(s, bead_sweep_scene(s->sweep), &changed, msg)
-                                       : bead_session_choose(s, bead_sweep_scene(s->sweep), BEAD_OF_SWEEP, NULL, &changed, msg);
-    if (!err)
-        err = bead_sweep_show(s->sweep, changed, msg);
-    if (err)
-        return err;
+    BEAD_TRY(s->job.sheet ? bead_session_choose_sheet(s, bead_sweep_scene(s->sweep), &changed, msg)
+                          : bead_session_choose(s, bead_sweep_scene(s->sweep), BEAD_OF_SWEEP, NULL, &changed, msg));
+    BEAD_TRY(bead_sweep_show(s->sweep, changed, msg));
     s->sweep_read = true;
     s->source = bead_sweep_scene(s->sweep);
     BEAD_TRY(bead_session_list_outputs(s, msg));
@@ -222,11 +219,8 @@ static enum bead_error plan_panel(const struct bead_session *s, size_t index, FI
 
 enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t p = 0; p < bead_sweep_panels(s->sweep) && !err; p++)
-        err = plan_panel(s, p, out, msg);
-    if (err)
-        return err;
+    for (size_t p = 0; p < bead_sweep_panels(s->sweep); p++)
+        BEAD_TRY(plan_panel(s, p, out, msg));
     if (s->sweep_read)
         fprintf(out, "results are read; nothing is simulated%s\n", runs_chains(s) ? " but what a sheet or report shows" : "");
     else if (!needs_results(s))

@@ -238,21 +238,16 @@ static enum bead_error read_bounds(struct bead_trajectory *t)
 
 static enum bead_error load(struct bead_trajectory *t)
 {
-    enum bead_error err = rebuild(t);
-    const bool beads = !err && t->scene->chains[0].system->has_contacts;
-    if (beads)
-        err = check_beads(t, "/particles/chain/mass", bead_chain_mass);
-    if (beads && !err)
-        err = check_beads(t, "/particles/chain/radius", bead_chain_radius);
-    if (!err)
-        err = check_beads(t, "/particles/chain/rest_position", bead_chain_position);
-    if (!err)
-        err = open_sources(t);
-    if (!err)
-        err = check_times(t);
-    if (!err)
-        err = read_bounds(t);
-    return err ? err : read_outcomes(t);
+    BEAD_TRY(rebuild(t));
+    if (t->scene->chains[0].system->has_contacts) {
+        BEAD_TRY(check_beads(t, "/particles/chain/mass", bead_chain_mass));
+        BEAD_TRY(check_beads(t, "/particles/chain/radius", bead_chain_radius));
+    }
+    BEAD_TRY(check_beads(t, "/particles/chain/rest_position", bead_chain_position));
+    BEAD_TRY(open_sources(t));
+    BEAD_TRY(check_times(t));
+    BEAD_TRY(read_bounds(t));
+    return read_outcomes(t);
 }
 
 static unsigned derivable(const struct bead_trajectory *t)

@@ -177,11 +177,8 @@ static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_rang
 {
     BEAD_TRY(reserve(sink, msg));
     place_rows(sink);
-    enum bead_error err = BEAD_OK;
     if (!sink->context.claimed)
-        err = bead_file_claim(sink->path, &sink->claim, msg);
-    if (err)
-        return err;
+        BEAD_TRY(bead_file_claim(sink->path, &sink->claim, msg));
     const double bytes = sample_bytes(sink), room = bead_file_room(sink->path);
     if (bytes > room)
         return bead_fail(msg, BEAD_ERROR_IO, "%s: needs %.3g GB for its samples; %.3g GB are free", sink->path, 1e-9 * bytes,

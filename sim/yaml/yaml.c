@@ -193,11 +193,10 @@ static enum bead_error open_node(struct builder *b, const yaml_event_t *event, e
     node->flow = map ? event->data.mapping_start.style == YAML_FLOW_MAPPING_STYLE
                      : event->data.sequence_start.style == YAML_FLOW_SEQUENCE_STYLE;
     const yaml_char_t *anchor = map ? event->data.mapping_start.anchor : event->data.sequence_start.anchor;
-    enum bead_error err = remember(b, anchor, node, event->start_mark);
-    if (!err)
-        err = place_node(b, node, event->start_mark);
+    BEAD_TRY(remember(b, anchor, node, event->start_mark));
+    BEAD_TRY(place_node(b, node, event->start_mark));
     b->open[b->depth++] = node;
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error take_event(struct builder *b, const yaml_event_t *event)

@@ -144,10 +144,8 @@ static enum bead_error follow(const struct edit *e, const char *path, struct bea
             node->kind = BEAD_NODE_MAP; /* `simulate:` with nothing after it */
         if (node->kind == BEAD_NODE_SCALAR)
             return wrong(e, path, "the key before it holds a single value, perhaps what was read of a file; set that as a whole");
-        enum bead_error err = node->kind == BEAD_NODE_LIST ? find_element(e, node, path, end, slot, &used)
-                                                           : find_key(e, node, path, end, slot, &used);
-        if (err)
-            return err;
+        BEAD_TRY(node->kind == BEAD_NODE_LIST ? find_element(e, node, path, end, slot, &used)
+                                              : find_key(e, node, path, end, slot, &used));
         path += used + 1;
     }
     return BEAD_OK;
@@ -157,17 +155,14 @@ static enum bead_error lay(const struct edit *e)
 {
     const struct bead_override *o = e->override;
     struct bead_node *value = NULL, **slot = &e->yaml->root;
-    enum bead_error err = BEAD_OK;
     if (!o->node)
-        err = bead_yaml_piece(e->yaml, o->value, strlen(o->value), o->place, &value, e->msg);
+        BEAD_TRY(bead_yaml_piece(e->yaml, o->value, strlen(o->value), o->place, &value, e->msg));
     else if (!(value = bead_yaml_copy(e->yaml, o->node, o->node->place, NULL)))
-        err = out_of_memory(e);
-    if (!err && o->below)
-        err = follow(e, o->below, &slot);
-    if (!err && *o->path)
-        err = follow(e, o->path, &slot);
-    if (err)
-        return err;
+        return out_of_memory(e);
+    if (o->below)
+        BEAD_TRY(follow(e, o->below, &slot));
+    if (*o->path)
+        BEAD_TRY(follow(e, o->path, &slot));
     *slot = value;
     /* Recursion relies on a bounded depth. */
     if (bead_yaml_height(e->yaml->root) > BEAD_YAML_DEPTH)
