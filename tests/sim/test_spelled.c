@@ -136,8 +136,71 @@ static void scenes_mean_the_same_in_other_words(void **)
     }
 }
 
+#define RANDOM "chain: {" STRUCK "beads: [{cell: [large-steel, aluminium], spins: random, count: 20}]}\n"
+#define SWEPT  RANDOM "sweep: {over: {chain.beads.0.seed: 1..2}}\n"
+static const struct {
+    const char *scene, *show, *column;
+} limited[] = {
+    {RANDOM, "spectrum, beads: [2, 5]", "frequency_Hz"},
+    {RANDOM, "spectrogram, beads: [2], segment: 1e-4 s", "frequency_Hz"},
+    {RANDOM, "dispersion, field: velocity", "found_Hz"},
+    {"chain: {drive: {force: noise, amplitude: 2 N, frequency: 50 kHz}, precompression: 20 N, beads: [{bead: aluminium, count: "
+     "8}]}\n",
+     "transfer, beads: [4]", "frequency_Hz"},
+    {SWEPT, "spectrum, beads: [2]", "frequency_Hz"},
+    {SWEPT, "dispersion, field: velocity", "found_Hz"},
+};
+
+/* The value of a column, in the line that has as many fields before it. */
+static double value_in(const char *header, const char *column, const char *line)
+{
+    const size_t length = strlen(column);
+    for (; *header && (strncmp(header, column, length) != 0 || (header[length] != ',' && header[length] != '\n')); line++) {
+        header += strcspn(header, ",\n") + 1;
+        line += strcspn(line, ",\n");
+    }
+    return *header && *line != ',' ? strtod(line, NULL) : NAN;
+}
+
+/* Between some frequencies a table has the lines of the whole that are between them. */
+static void limits_leave_lines_out(void **)
+{
+    static char text[2][1 << 18];
+    const double low = 5e3, high = 2e4;
+    for (size_t n = 0; n < sizeof limited / sizeof *limited; n++) {
+        char scene[1000], path[600];
+        snprintf(scene, sizeof scene,
+                 "%ssimulate: {until: 4e-4 s}\noutputs: [{table: 0.csv, show: %s, every: 2 us}, {table: 1.csv, show: "
+                 "%s, every: 2 us, frequencies: [5 kHz, 20 kHz]}]\n",
+                 limited[n].scene, limited[n].show, limited[n].show);
+        snprintf(path, sizeof path, "%s/scene.yaml", directory);
+        write_text(path, scene);
+        snprintf(scene, sizeof scene, "%s/0", directory);
+        mkdir(scene, 0777);
+        play_counts((struct bead_job){.input = path, .output = scene, .threads = 1});
+        for (int part = 0; part < 2; part++)
+            read_table_of(0, (size_t)part, text[part], sizeof text[part]);
+        size_t kept = 0, left = 0;
+        const char *next = text[1] + strcspn(text[1], "\n") + 1;
+        for (const char *line = text[0] + strcspn(text[0], "\n") + 1; *line; line += strcspn(line, "\n") + 1) {
+            const double value = value_in(text[0], limited[n].column, line);
+            if (value < low || value > high) {
+                left++;
+                continue;
+            }
+            const size_t length = strcspn(line, "\n") + 1;
+            if (strncmp(line, next, length) != 0)
+                fail_msg("%s: %.60s instead of %.60s", limited[n].show, next, line);
+            next += length;
+            kept++;
+        }
+        assert_true(!*next && kept > 3 && left > 3);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(scenes_mean_the_same_in_other_words)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(scenes_mean_the_same_in_other_words),
+                                       cmocka_unit_test(limits_leave_lines_out)};
     return cmocka_run_group_tests_name("spelled", tests, make_directory, remove_directory);
 }
