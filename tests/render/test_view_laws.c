@@ -315,6 +315,42 @@ static void names_stay_above_their_row(void **)
     }
 }
 
+/* Is there anything in the lens that is behind the last bead? */
+static bool is_anything_behind(const struct shown *s)
+{
+    const struct bead_view *v = s->view;
+    const double x = v->area.x + bead_window_x(&v->lens, v->ends[1] + 0.13 * v->largest);
+    const struct bead_rect *lens = &v->lens.rect;
+    bool any = false;
+    for (int y = v->area.y + lens->y; y < v->area.y + lens->y + lens->height; y++) {
+        for (int column = (int)x; column < v->area.x + lens->x + lens->width; column++) {
+            const size_t at = (size_t)y * s->frame.stride + 4 * (size_t)column;
+            any |= memcmp(s->frame.pixels + at, s->background.pixels + at, 3) != 0;
+        }
+    }
+    return any;
+}
+
+static void lenses_show_walls_where_they_are(void **state)
+{
+    (void)state;
+    static const char *const walls[] = {WALLED("none"), WALLED("rigid"), WALLED("brass")};
+    for (size_t i = 0; i < 6; i++) {
+        const struct film film = {"beads",      BEAD_VIEW_BEADS,         walls[i % 3], BEAD_FIELD_FORCE, 0, 35,
+                                  .film = true, .window = i / 3 * window};
+        struct shown s;
+        size_t seen = 0;
+        open_shown(&s, &film);
+        for (size_t k = 0; k < FRAMES; k++) {
+            draw(&s, feed(&s, k), &(struct bead_changes){0});
+            seen += is_anything_behind(&s);
+        }
+        if (i % 3 ? seen < 2 || seen > FRAMES / 2 : seen > 1) /* the last bead moves there at the end */
+            fail_msg("wall %zu: something is behind the chain in %zu frames", i, seen);
+        close_shown(&s);
+    }
+}
+
 static void assert_within(struct bead_rect rect, const struct bead_view *v, const char *what)
 {
     if (rect.x < 0 || rect.y < 0 || rect.x + rect.width > v->area.width || rect.y + rect.height > v->area.height)
@@ -371,7 +407,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(films_are_the_same_in_other_manners), cmocka_unit_test(parts_look_as_chains_of_their_own),
         cmocka_unit_test(mirrored_chains_look_mirrored),       cmocka_unit_test(walls_are_beside_their_chains),
-        cmocka_unit_test(windows_have_room_for_their_beads),   cmocka_unit_test(names_stay_above_their_row),
+        cmocka_unit_test(lenses_show_walls_where_they_are),    cmocka_unit_test(windows_have_room_for_their_beads),
+        cmocka_unit_test(names_stay_above_their_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
