@@ -133,10 +133,16 @@ static void assert_paths_agree(const struct film *film, double most)
 
 static const double window = 8 * 9.525e-3;
 
+#define SWING 1.2e-5
+
 static void beads(void **)
 {
     static const struct film films[] = {
         {"beads", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true},
+        {"a striker that swings", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .as = {.swing = SWING}},
+        {"a striker in a window", BEAD_VIEW_BEADS, ONE, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window,
+         .as = {.swing = SWING}},
+        {"a striker in a row", BEAD_VIEW_BEADS, ONE, BEAD_FIELD_FORCE, 0, 35, .film = true, .as = {.swing = SWING}},
     };
     for (size_t i = 0; i < sizeof films / sizeof *films; i++)
         assert_no_trails(&films[i], 0);

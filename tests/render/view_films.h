@@ -37,6 +37,7 @@ struct manner {
     size_t before;
     bool finely;
     int mirrored; /* 0: is not */
+    double swing; /* m: of the first bead, which is slower and faster again */
 };
 
 struct film {
@@ -88,7 +89,7 @@ static void make_values(const struct manner *as, double at, double values[BEAD_F
         values[BEAD_FIELD_CONTACT_FORCE][i] = contact < 7 ? times * 33 * exp(-0.5 * contact * contact / 1.5) : 0;
         values[BEAD_FIELD_COMPRESSION][i] = 1e-6 * values[BEAD_FIELD_CONTACT_FORCE][i];
         values[BEAD_FIELD_VELOCITY][i] = touched ? 0.2 * pulse - (bead < 3 ? times * 0.02 * bead : 0) : 0;
-        values[BEAD_FIELD_DISPLACEMENT][i] = touched ? 1e-5 * pushed : 0;
+        values[BEAD_FIELD_DISPLACEMENT][i] = (touched ? 1e-5 * pushed : 0) + (bead == 0 ? as->swing * sin(at) : 0);
         values[BEAD_FIELD_ENERGY][i] = touched ? 1e-3 * pulse : 0;
     }
 }
