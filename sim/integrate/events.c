@@ -251,13 +251,13 @@ static size_t count_together(const struct bead_events *e, size_t at)
     return i - at;
 }
 
-/* Finds the cluster after `c`, initially {0}; `alone`: one flagged contact in each. Patches do not overlap. */
-static bool next_cluster(const struct bead_events *e, const struct bead_stepper *s, bool alone, struct cluster *c)
+/* Finds the cluster after `c`, initially {0}. Patches do not overlap. */
+static bool next_cluster(const struct bead_events *e, const struct bead_stepper *s, struct cluster *c)
 {
     const size_t at = c->at + c->of.count, end = at > 0 ? c->of.last + 1 : 0, *flagged = e->flags.contact + at;
     if (at >= e->flagged_count)
         return false;
-    const size_t n = alone ? 1 : count_together(e, at), before = width_of(e, at);
+    const size_t n = count_together(e, at), before = width_of(e, at);
     size_t first = flagged[0] > before ? flagged[0] - before : 0, last = flagged[n - 1] + width_of(e, at + n - 1);
     first = first < end ? end : first;
     if (at + n < e->flagged_count && last >= flagged[n])
@@ -286,8 +286,7 @@ static void correct_flagged(struct bead_events *e, struct bead_stepper *s)
 {
     struct cluster c = {0};
     size_t begin = 0, end = 0; /* beads moved */
-    const bool kinks = e->kinks_known && left_undone(e, 0, e->flagged_count) <= s->event_tolerance;
-    while (next_cluster(e, s, kinks, &c)) {
+    while (next_cluster(e, s, &c)) {
         correct_cluster(e, s, &c);
         if (end > 0 && c.of.first - end > GAP)
             refresh(s, begin, end);
@@ -315,7 +314,7 @@ void bead_events_walk(struct bead_events *e, const struct bead_stepper *s, struc
     bead_events_flag(e, s, tolerance);
     e->keep = keep;
     e->keeper = keeper;
-    while (next_cluster(e, s, false, &c)) {
+    while (next_cluster(e, s, &c)) {
         if (c.of.last + 1 >= part.from && c.of.first < part.to)
             bead_patch_integrate(e, s, &c.of, 1);
     }
