@@ -38,35 +38,17 @@ double bead_polynomial_slope(const struct bead_polynomial *p, double x)
     return slope;
 }
 
-/* The only zero of p - limit from x0 to x0 + width, where it rises: Newton's method, bisection where that leaves the bracket. */
-static double rising_zero(const struct bead_polynomial *p, double limit, double x0, double width)
-{
-    double low = x0, high = x0 + width, x = x0 + 0.5 * width;
-    for (int i = 0; i < 60 && high - low > 0x1p-50; i++) {
-        const double above = bead_polynomial_value(p, x) - limit, step = above / bead_polynomial_slope(p, x);
-        *(above > 0 ? &high : &low) = x;
-        if (fabs(step) < 0x1p-52)
-            return x;
-        x = x - step > low && x - step < high ? x - step : 0.5 * (low + high);
-    }
-    return x;
-}
-
-/* A polynomial over x0 <= x <= x0 + width in Bernstein's form lies between the smallest and the largest of its coefficients b, and
- * has no more zeros there than they have sign changes (Descartes' rule). De Casteljau's scheme halves the interval until one sign
- * change is left, or the width is as small as rounding. */
-static double first_above(const struct bead_polynomial *p, double limit, const double b[8], double x0, double width)
+/* A polynomial over x0 <= x <= x0 + width in Bernstein's form lies between the smallest and the largest of its coefficients b.
+ * De Casteljau's scheme halves the interval until it lies below, begins above, or is as narrow as rounding. */
+static double first_above(const double b[8], double x0, double width)
 {
     static const double smallest = 0x1p-50;
     double left[8], right[8];
-    int changes = 0;
-    for (int i = 1; i < 8; i++)
-        changes += (b[i] > 0) != (b[i - 1] > 0);
-    const bool below = changes == 0 && !(b[0] > 0);
+    bool below = true;
+    for (int i = 0; i < 8; i++)
+        below = below && !(b[i] > 0);
     if (below || b[0] > 0 || width < smallest)
         return below ? INFINITY : x0;
-    if (changes == 1)
-        return rising_zero(p, limit, x0, width);
     for (int i = 0; i < 8; i++)
         right[i] = b[i];
     for (int i = 0; i < 8; i++) {
@@ -74,8 +56,8 @@ static double first_above(const struct bead_polynomial *p, double limit, const d
         for (int k = 0; k + 1 < 8 - i; k++)
             right[k] = 0.5 * (right[k] + right[k + 1]);
     }
-    double x = first_above(p, limit, left, x0, 0.5 * width);
-    return isfinite(x) ? x : first_above(p, limit, right, x0 + 0.5 * width, 0.5 * width);
+    double x = first_above(left, x0, 0.5 * width);
+    return isfinite(x) ? x : first_above(right, x0 + 0.5 * width, 0.5 * width);
 }
 
 double bead_polynomial_first_above(const struct bead_polynomial *p, double limit)
@@ -89,7 +71,7 @@ double bead_polynomial_first_above(const struct bead_polynomial *p, double limit
             b[i] += part * p->c[k];
         }
     }
-    return first_above(p, limit, b, 0, 1);
+    return first_above(b, 0, 1);
 }
 
 double bead_find_root(bead_function f, const void *context, double f0, double f1)
