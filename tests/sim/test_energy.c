@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energy budget: it closes, and each part is right; so are the energies of the beads. */
 #include "measures.h"
+#include "sim/measure/energy_parts.h"
 
 enum { KINETIC, CONTACTS, WALL, GRAVITY, SPRINGS, DISSIPATED, WORK, TOTAL, PARTS };
 
@@ -156,9 +157,38 @@ static void energies_of_beads_add_up(void **state)
     release(&built);
 }
 
+/* A pulse of three contacts that loses up to half its force from one sample to the next remains the front, whatever precedes it
+ * with a force below a tenth of what it was, and whatever follows. All beads before its rear, of energy 1 each, are those in front.
+ */
+static void the_front_is_the_pulse_that_it_was(void **)
+{
+    enum { BEADS_OF_CHAIN = 101, FIRST = 10, LAST_PLACE = 80 };
+    double energy[BEADS_OF_CHAIN], velocity[BEADS_OF_CHAIN], peak = 1;
+    struct built built = build("chain: {beads: [{bead: large-steel, count: 100}]}\n", "until: 1 us");
+    const struct bead_output output = {.curves.parts = BEAD_PARTS_BY_PLACE};
+    struct bead_energy_front front = {0};
+    for (int j = 0; j < BEADS_OF_CHAIN; j++)
+        energy[j] = velocity[j] = 1;
+    for (size_t at = FIRST; at <= LAST_PLACE; at += 3) {
+        double force[BEADS_OF_CHAIN] = {0}, parts[PARTS];
+        const double before = peak;
+        peak *= at % 2 ? 0.55 : 0.9;
+        force[at - 1] = force[at + 1] = 0.6 * peak;
+        force[at] = peak;
+        force[at + 8] = at > FIRST ? 0.09 * before : 0;
+        force[at - 7] = force[at - 5] = 0.8 * peak;
+        const struct bead_budget budget = {.energy = energy, .force = force, .velocity = velocity};
+        bead_energy_parts_find(&output, built.chain, &(struct bead_sample){.budget = &budget}, &front, parts);
+        assert_true(parts[FRONT] == (double)(BEADS_OF_CHAIN - (at - 1)) && parts[REFLECTED] == 0);
+        assert_true(parts[BEHIND] == (double)(at - 1));
+    }
+    release(&built);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(budgets_close), cmocka_unit_test(a_clean_pulse_is_the_front),
-                                       cmocka_unit_test(accuracy_given_is_kept), cmocka_unit_test(energies_of_beads_add_up)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(budgets_close), cmocka_unit_test(the_front_is_the_pulse_that_it_was),
+                                       cmocka_unit_test(a_clean_pulse_is_the_front), cmocka_unit_test(accuracy_given_is_kept),
+                                       cmocka_unit_test(energies_of_beads_add_up)};
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
