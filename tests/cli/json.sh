@@ -108,6 +108,8 @@ if runs:
 if sweep and sweep["computed"]:
     before = sweep["known"] - sweep["computed"]
     last += f": {several(sweep['computed'], 'chain')}" + (f" of {sweep['chains']}, {before} there before" if before else "") + ", * a second"
+    seconds, rate = map(float, re.search(r"in ([0-9.]+) s: .* ([0-9.e+]+) a second", said[-1]).groups())
+    if not rate * max(seconds - 0.0051, 0) <= 1.006 * sweep["computed"] <= 1.012 * rate * (seconds + 0.0051): raise SystemExit(f"{rate} chains a second for {seconds} s")
     for f in files:
         rows = [r for r in csv.DictReader(open(f["path"], encoding="utf-8")) if r.get("peak_force_N")]
         off = max((float(r["uncertainty_N"]) / float(r["peak_force_N"]) for r in rows), default=0)
