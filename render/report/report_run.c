@@ -174,6 +174,7 @@ static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
     needs->fields |= BEAD_MEASURE_FIELDS;
     needs->beads = (struct bead_span){0, SIZE_MAX};
     needs->states = true;
+    needs->each = s->each;
 }
 
 static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, struct bead_message *msg)

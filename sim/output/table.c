@@ -90,7 +90,8 @@ static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
     if (sink->table->needs)
         sink->table->needs(sink, needs);
     needs->checked = sink->check != NULL;
-    needs->grid.every /= (double)samples_each(sink);
+    needs->each = samples_each(sink);
+    needs->grid.every /= (double)needs->each;
 }
 
 static void write_header(struct bead_sink *sink)

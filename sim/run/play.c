@@ -138,7 +138,7 @@ static enum bead_error add_check(struct pass *pass, double time, const struct be
         return BEAD_OK;
     *check = (struct bead_sample){.chain = sample->chain};
     sample->check = check;
-    return runner->kind->sample(runner->run, time, due->fields, due->span, check, msg);
+    return runner->kind->sample(runner->run, time, due->checked, due->span, check, msg);
 }
 
 /* Computes a sample, and that of the check run, unless the run is over before: *over. */
@@ -152,7 +152,8 @@ static enum bead_error compute_sample(struct pass *pass, const struct bead_due *
     *over = !err && isinf(p->end) && time > runner->kind->over(runner->run);
     if (err || *over)
         return err;
-    err = runner->kind->sample(runner->run, time, due->fields, due->span, sample, msg);
+    if (due->fields)
+        err = runner->kind->sample(runner->run, time, due->fields, due->span, sample, msg);
     if (!err && due->comparison)
         err = add_comparison(pass, time, due, sample, msg);
     if (!err && due->checked)

@@ -128,8 +128,7 @@ BEAD_CHECK enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *
 /* A time at which consumers want samples, and which fields. */
 struct bead_due {
     double time;
-    unsigned fields, comparison;
-    bool checked;
+    unsigned fields, comparison, checked; /* of the run, of the comparison run, of the check run; 0: no sample */
     struct bead_span span;
 };
 void bead_due_start(const struct bead_play *play);

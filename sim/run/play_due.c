@@ -33,8 +33,7 @@ bool bead_due_next(const struct bead_play *play, struct bead_due *due)
     if (due->time == INFINITY)
         return false;
     double earliest = due->time;
-    due->fields = due->comparison = 0;
-    due->checked = false;
+    due->fields = due->comparison = due->checked = 0;
     due->span = (struct bead_span){SIZE_MAX, 0};
     for (size_t i = 0; i < play->consumer_count; i++) {
         const struct bead_consumer *c = &play->consumers[i];
@@ -42,9 +41,9 @@ bool bead_due_next(const struct bead_play *play, struct bead_due *due)
             continue;
         if (c->exact)
             due->time = bead_grid_time(&c->needs.grid, c->next);
-        due->fields |= c->needs.fields;
+        due->fields |= c->needs.each > 1 && c->next % c->needs.each > 0 ? 0 : c->needs.fields;
         due->comparison |= c->needs.comparison;
-        due->checked |= c->needs.checked;
+        due->checked |= c->needs.checked ? c->needs.fields : 0;
         due->span.first = c->needs.beads.first < due->span.first ? c->needs.beads.first : due->span.first;
         due->span.last = c->needs.beads.last > due->span.last ? c->needs.beads.last : due->span.last;
     }

@@ -75,7 +75,8 @@ static enum bead_error run(const struct work *work, size_t index, const struct b
                                                .beads = {0, SIZE_MAX},
                                                .grid = {.every = every, .end = play.end},
                                                .states = true,
-                                               .checked = of->check != NULL},
+                                               .checked = of->check != NULL,
+                                               .each = of->each},
                                      .take = take,
                                      .context = of};
     play.consumers = &consumer;

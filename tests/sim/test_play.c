@@ -98,6 +98,40 @@ static void samples_end_with_their_own_run(void **state)
     assert_int_equal(s->counts.samples, s->seen.samples[0] + s->seen.samples[1]);
 }
 
+enum { EACH = 3 };
+
+static enum bead_error take_checked(const struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *)
+{
+    struct seen *seen = consumer->context;
+    assert_non_null(sample->check);
+    const double *own = sample->field[BEAD_FIELD_VELOCITY], *check = sample->check->field[BEAD_FIELD_VELOCITY];
+    assert_true(sample->check->time == sample->time);
+    assert_true((own != NULL) == (sample->index % EACH == 0));
+    for (size_t j = 0; own && j < sample->active; j++)
+        assert_true(fabs(own[j] - check[j]) <= 1e-4); /* of 1 m/s; accuracy 1e-4 */
+    assert_true(check[0] != 0);
+    seen->samples[sample->chain]++;
+    return BEAD_OK;
+}
+
+/* Each third sample is of the run and of its check run; what lies between is of the check run alone. */
+static void check_runs_are_sampled_more_often(void **state)
+{
+    struct stage *s = *state;
+    s->consumer.take = take_checked;
+    s->consumer.needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
+                                            .beads = {0, 5},
+                                            .grid = {.every = 1e-6, .end = 1e-4},
+                                            .checked = true,
+                                            .each = EACH};
+    s->play.end = 1e-4;
+    s->play.passage = BEAD_PASSAGE_NONE;
+    if (bead_play(&s->play, &s->played, &s->msg))
+        fail_msg("%s", s->msg.text);
+    assert_int_equal(s->seen.samples[0], 101);
+    assert_true(s->counts.sample_values <= CHAINS * 34 * 6); /* beads ahead of the front are not counted */
+}
+
 /* Number of times of two grids that end at 3 us. */
 static size_t times_of(double every, double other)
 {
@@ -202,6 +236,7 @@ int main(void)
         cmocka_unit_test(times_are_equal_to_rounding),
         cmocka_unit_test_setup_teardown(steps_are_seen, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_consumer_may_end_it, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(check_runs_are_sampled_more_often, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_stop_comes_before_a_step, set_up, tear_down),
         cmocka_unit_test_setup_teardown(patience_ends, set_up, tear_down),
         cmocka_unit_test_setup_teardown(an_end_is_kept, set_up, tear_down),
