@@ -29,8 +29,9 @@ enum bead_error bead_measures_create(const struct bead_chain *chain, bool of_che
     size_t beads = bead_chain_beads(chain);
     BEAD_TRY(bead_new(measures, 1, msg, "the measures of %zu beads", beads));
     struct bead_measures *m = *measures;
-    enum bead_error err = bead_new(&m->u, 2 * beads, msg, "the measures of %zu beads", beads);
+    enum bead_error err = bead_new(&m->u, 3 * beads, msg, "the measures of %zu beads", beads);
     m->v = err ? NULL : m->u + beads;
+    m->deepest = err ? NULL : m->v + beads;
     m->chain = chain;
     m->places = bead_places_find(chain);
     m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
@@ -66,16 +67,19 @@ static bool at_end(const struct bead_measures *m, const struct bead_sample *samp
            sample->field[BEAD_FIELD_CONTACT_FORCE][last] - bead_chain_static_force(m->chain)[last] > front_part * m->pulses->record;
 }
 
-/* The largest compression of contact k since the last sample: the maximum of the cubic through both values and rates. */
+/* The largest compression of contact k since the last sample, less the static one: if it has turned back, the maximum of the cubic
+ * through both values and rates. */
 static double deepest(const struct bead_measures *m, const struct bead_sample *sample, size_t k)
 {
     const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], h = sample->time - m->time;
     const bool wall = k + 1 == bead_chain_beads(m->chain);
     const double d[2] = {m->u[k] - (wall ? 0 : m->u[k + 1]), u[k] - (wall ? 0 : u[k + 1])};
     const double r[2] = {h * (m->v[k] - (wall ? 0 : m->v[k + 1])), h * (v[k] - (wall ? 0 : v[k + 1]))};
-    const double x = r[0] > 0 && r[1] < 0 ? r[0] / (r[0] - r[1]) : 1;
+    if (!(r[0] > 0 && r[1] < 0))
+        return d[1];
+    const double x = r[0] / (r[0] - r[1]);
     const double rise = x * r[0] + x * x * (3 * (d[1] - d[0]) - 2 * r[0] - r[1] + x * (r[0] + r[1] - 2 * (d[1] - d[0])));
-    return bead_chain_static_compression(m->chain)[k] + fmax(d[1], d[0] + rise);
+    return d[0] + rise > d[1] ? d[0] + rise : d[1];
 }
 
 enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sample *sample, struct bead_message *msg)
@@ -83,8 +87,10 @@ enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sa
     size_t beads = bead_chain_beads(m->chain), moving = sample->active < beads ? sample->active : beads;
     bead_pulses_feed(m->pulses, sample);
     bead_strike_feed(m, sample);
-    for (size_t k = 0; k < moving && k < bead_chain_contacts(m->chain); k++)
-        bead_validity_add(&m->validity, m->chain, k, deepest(m, sample, k));
+    for (size_t k = 0; k < moving && k < bead_chain_contacts(m->chain); k++) {
+        const double d = deepest(m, sample, k);
+        m->deepest[k] = d > m->deepest[k] ? d : m->deepest[k];
+    }
     memcpy(m->u, sample->field[BEAD_FIELD_DISPLACEMENT], moving * sizeof *m->u);
     memcpy(m->v, sample->field[BEAD_FIELD_VELOCITY], moving * sizeof *m->v);
     m->time = sample->time;

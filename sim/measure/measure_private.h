@@ -115,8 +115,9 @@ struct bead_measures {
     struct bead_pulses *pulses;
     struct bead_trace trace;
     struct bead_strike strike;
-    double *u, *v; /* [beads], of the last sample: m, m/s; one block of memory */
-    double time;   /* s, of the last sample; NaN: none */
+    double *u, *v;   /* [beads], of the last sample: m, m/s; one block of memory, with: */
+    double *deepest; /* [beads], m: the largest compression of each contact, less the static one; 0 or more */
+    double time;     /* s, of the last sample; NaN: none */
     struct bead_validity validity;
     double clean;        /* participation of the clean wave, beads; NaN: no clean wave */
     double arrived;      /* participation of the energies at the first sample after the front's arrival; NaN: not arrived */

@@ -382,6 +382,8 @@ size_t bead_measures_read(struct bead_measures *m, const struct bead_outcome *ou
 {
     char note[NOTE];
     bead_pulses_end(m->pulses);
+    for (size_t k = 0; k < bead_chain_contacts(m->chain); k++)
+        bead_validity_add(&m->validity, m->chain, k, bead_chain_static_compression(m->chain)[k] + m->deepest[k]);
     struct reading reading = {
         .m = m, .outcome = outcome, .pulse = bead_trace_read(m), .decay = bead_decay_find(m, outcome), .note = note};
     size_t count = 0;
