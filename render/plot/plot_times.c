@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of a chain against time, a panel for each chain: plots of modes and energies, and what that of spreading shares. Times are
- * in data->sample, numbers in the parts' values, [numbers][times]. */
+/* Numbers of a chain against time, a panel for each chain: plots of modes and energies, and what that of spreading shares. Times
+ * are in data->sample, numbers in the parts' values, [numbers][times]. */
 #include <math.h>
 
 #include "render/plot/plot_private.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The HDF5 driver for writing of h5_seal.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so that HDF5 never
- * sees a failure. */
+/* The HDF5 driver for writing of h5_seal.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so
+ * that HDF5 never sees a failure. */
 
 #include <errno.h>
 #include <stdlib.h>
