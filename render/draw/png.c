@@ -189,14 +189,12 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
     struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = &own};
     if (frame->alpha)
         return bead_file_write(path, png_fill, &image, bytes, msg);
-    uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
+    BEAD_FREED uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))
         image.indices = indices;
-    enum bead_error err = bead_file_write(path, png_fill, &image, bytes, msg);
-    free(indices);
-    return err;
+    return bead_file_write(path, png_fill, &image, bytes, msg);
 }
 
 enum bead_error bead_png_write_indexed(const char *path, int width, int height, const uint8_t *indices,

@@ -172,11 +172,9 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     *movie = NULL;
     struct bead_movie_settings own;
     const struct bead_codec *codec;
-    enum bead_error err = take(&own, settings, msg);
-    if (!err)
-        err = check(path, &own, &codec, msg);
-    if (err)
-        return err;
+    enum bead_error err = BEAD_OK;
+    BEAD_TRY(take(&own, settings, msg));
+    BEAD_TRY(check(path, &own, &codec, msg));
     struct bead_movie *m;
     BEAD_TRY(bead_new(&m, 1, msg, "%s", path));
     m->codec = codec;

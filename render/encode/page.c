@@ -119,18 +119,14 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
 static enum bead_error write_raster(const struct bead_page *page, const struct bead_drawing *drawing, const char *path,
                                     const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
-    struct bead_frame frame;
+    BEAD_LEFT_TO(bead_frame_free) struct bead_frame frame = {0};
     BEAD_TRY(bead_frame_create(page->width, page->height, &frame, msg));
     frame.alpha = page->clear;
     bead_warnings_watch();
-    enum bead_error err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
-                                          : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
-    if (!err)
-        err = bead_warnings_check(msg);
-    if (!err)
-        err = bead_picture_write(path, &frame, notes, bytes, msg);
-    bead_frame_free(&frame);
-    return err;
+    BEAD_TRY(drawing->raster ? drawing->raster(drawing->context, &frame, msg)
+                             : bead_raster_draw(&frame, drawing->draw, drawing->context, msg));
+    BEAD_TRY(bead_warnings_check(msg));
+    return bead_picture_write(path, &frame, notes, bytes, msg);
 }
 
 enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,

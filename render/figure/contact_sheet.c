@@ -3,8 +3,7 @@
  * their pictures, and draws. */
 #include "render/figure/contact_sheet.h"
 
-#include <stdlib.h>
-
+#include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 
 /* Samples per column of pixels along time; values are linear in time between samples. */
@@ -24,7 +23,7 @@ void contact_sheet_clear(struct contact_sheet *s)
 /* Finds the beads of cells that are up or reversed, and the beginning of the part of the chain shown. */
 static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
 {
-    struct bead_sweep_chain *made = NULL;
+    BEAD_LEFT_TO(bead_sweep_chain_left) struct bead_sweep_chain *made = NULL;
     BEAD_TRY(bead_sweep_chain_create(s->sweep, image->panel, image->index, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
@@ -32,10 +31,9 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
     size_t j = 1;
     image->magnetism = bead_chain_magnetism(chain);
     image->beads = bead_chain_beads(chain);
-    image->spin = malloc(image->beads);
-    for (size_t i = 0; image->spin && i < image->beads; i++)
-        image->spin[i] = -1;
-    for (size_t g = 0; image->spin && g < spec->segment_count; g++) {
+    BEAD_TRY(bead_new(&image->spin, image->beads, msg, "a sheet"));
+    memset(image->spin, -1, image->beads);
+    for (size_t g = 0; g < spec->segment_count; g++) {
         for (size_t c = 0; c < spec->segments[g].count; c++) {
             signed char of_cell = spec->segments[g].cell_beads > 1 ? (signed char)(*spin++ == '1') : -1;
             for (size_t b = 0; b < spec->segments[g].cell_beads; b++)
@@ -46,10 +44,7 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
     const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
     const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
     const struct bead_area_setup setup = {{0, values - 1}, {0, s->end}, places, columns, BEAD_SAMPLING_AREA};
-    enum bead_error err =
-        image->spin ? bead_area_create(&setup, &image->area, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
-    bead_sweep_chain_destroy(made);
-    return err;
+    return bead_area_create(&setup, &image->area, msg);
 }
 
 static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *)
@@ -95,7 +90,7 @@ static void find_colours(struct contact_sheet *s)
 static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_message *msg)
 {
     static const double smaller = 0.85;
-    struct bead_sweep_chain *made = NULL;
+    BEAD_LEFT_TO(bead_sweep_chain_left) struct bead_sweep_chain *made = NULL;
     BEAD_TRY(bead_page_find(s->output, &s->page, msg));
     BEAD_TRY(bead_colour_range_check(s->output, msg));
     BEAD_TRY(bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg));
@@ -105,11 +100,8 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     s->is_signed = bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field);
-    enum bead_error err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg);
-    if (!err)
-        err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, true, &s->map_about_rest, msg);
-    bead_sweep_chain_destroy(made);
-    return err;
+    BEAD_TRY(bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg));
+    return bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, true, &s->map_about_rest, msg);
 }
 
 enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
@@ -127,25 +119,19 @@ enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sw
 static enum bead_error write_sheet(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                    uint64_t *bytes, struct bead_message *msg)
 {
-    struct contact_sheet s = {.output = output, .sweep = context->sweep};
-    enum bead_error err = contact_sheet_make(&s, context->sweep_settings, msg);
-    if (!err)
-        err = bead_page_write(&s.page, output, context->scene, &(struct bead_drawing){contact_sheet_draw, NULL, &s, NULL}, path,
-                              bytes, msg);
-    contact_sheet_clear(&s);
-    return err;
+    BEAD_LEFT_TO(contact_sheet_clear) struct contact_sheet s = {.output = output, .sweep = context->sweep};
+    BEAD_TRY(contact_sheet_make(&s, context->sweep_settings, msg));
+    const struct bead_drawing drawing = {contact_sheet_draw, NULL, &s, NULL};
+    return bead_page_write(&s.page, output, context->scene, &drawing, path, bytes, msg);
 }
 
 /* Do the pictures fit the page? */
 static enum bead_error check_sheet(const struct bead_output *output, const struct bead_run_context *context,
                                    struct bead_message *msg)
 {
-    struct contact_sheet s = {.output = output, .sweep = context->sweep};
-    enum bead_error err = sheet_prepare(&s, msg);
-    if (!err)
-        err = contact_sheet_arrange(&s, msg);
-    contact_sheet_clear(&s);
-    return err;
+    BEAD_LEFT_TO(contact_sheet_clear) struct contact_sheet s = {.output = output, .sweep = context->sweep};
+    BEAD_TRY(sheet_prepare(&s, msg));
+    return contact_sheet_arrange(&s, msg);
 }
 
 static const char *sheet_why(const struct bead_output *)

@@ -111,23 +111,21 @@ static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_messa
 static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
 {
     struct bead_still *s = context;
-    struct bead_frame background = {0};
-    enum bead_error err = bead_raster_draw(frame, panels_decorate, s, msg);
+    BEAD_LEFT_TO(bead_frame_free) struct bead_frame background = {0};
+    BEAD_TRY(bead_raster_draw(frame, panels_decorate, s, msg));
     bool moments = false;
     for (size_t p = 0; p < s->count; p++)
         moments = moments || (s->panels[p].figure && bead_figure_looks_at_beads(s->panels[p].output));
-    if (!err && moments) { /* only views of one moment draw over the background */
-        err = bead_frame_create(frame->width, frame->height, &background, msg);
-        if (!err)
-            bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    if (moments) { /* only views of one moment draw over the background */
+        BEAD_TRY(bead_frame_create(frame->width, frame->height, &background, msg));
+        bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
     }
     background.alpha = frame->alpha;
-    for (size_t p = 0; !err && p < s->count; p++) {
+    for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
-            err = bead_figure_draw(s->panels[p].figure, frame, background.pixels ? &background : frame, msg);
+            BEAD_TRY(bead_figure_draw(s->panels[p].figure, frame, background.pixels ? &background : frame, msg));
     }
-    bead_frame_free(&background);
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error panels_finish(struct bead_still *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,

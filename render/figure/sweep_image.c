@@ -38,11 +38,10 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
 static enum bead_error make_film(struct ensemble *e, size_t i, struct bead_message *msg)
 {
     struct film *film = &e->films[i];
-    struct bead_sweep_chain *made = NULL;
+    BEAD_LEFT_TO(bead_sweep_chain_left) struct bead_sweep_chain *made = NULL;
     BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, i, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
     *film = (struct film){.places = bead_chain_beads(chain), .field = e->output->shown.field};
-    bead_sweep_chain_destroy(made);
     e->places = i == 0 ? film->places : e->places;
     if (film->places != e->places)
         return bead_output_wrong(e->output, msg, "image: chains have %zu and %zu beads; a mean needs chains of equal length",
@@ -135,19 +134,15 @@ static void close_drawing(struct drawing *d)
 static enum bead_error draw(struct ensemble *e, const struct bead_run_context *context, const char *path, const double *result,
                             struct bead_message *msg)
 {
-    struct drawing d;
-    enum bead_error err = open_drawing(e, context, path, &d, msg);
-    if (!err)
-        err = bead_image_sink.begin(d.sink, (struct bead_range){0, 0}, msg);
-    for (size_t i = 0; i <= TIMES && !err; i++) {
+    BEAD_LEFT_TO(close_drawing) struct drawing d;
+    BEAD_TRY(open_drawing(e, context, path, &d, msg));
+    BEAD_TRY(bead_image_sink.begin(d.sink, (struct bead_range){0, 0}, msg));
+    for (size_t i = 0; i <= TIMES; i++) {
         struct bead_sample sample = {.time = fmin((double)i * d.context.native.every, e->end), .index = i, .active = e->places};
         sample.field[d.output.shown.field] = result + i * e->places;
-        err = bead_image_sink.sample(d.sink, &sample, msg);
+        BEAD_TRY(bead_image_sink.sample(d.sink, &sample, msg));
     }
-    if (!err)
-        err = bead_image_sink.end(d.sink, NULL, msg);
-    close_drawing(&d);
-    return err;
+    return bead_image_sink.end(d.sink, NULL, msg);
 }
 
 /* Does the image fit its page? Without `until`, nobody knows yet when it ends, and which times it may show. */
@@ -162,10 +157,8 @@ static enum bead_error check_image(const struct bead_output *output, const struc
                                .output = &shown,
                                .count = bead_sweep_panel(context->sweep, 0)->configurations,
                                .end = isnan(until) ? 1 : until};
-    struct drawing d;
-    const enum bead_error err = open_drawing(&e, context, output->path, &d, msg);
-    close_drawing(&d);
-    return err;
+    BEAD_LEFT_TO(close_drawing) struct drawing d;
+    return open_drawing(&e, context, output->path, &d, msg);
 }
 
 static enum bead_error make(struct ensemble *e, const struct bead_run_context *context, const char *path, struct bead_message *msg)

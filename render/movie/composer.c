@@ -124,7 +124,6 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
-    enum bead_error err = BEAD_OK;
     c->facts = (struct bead_facts){.film = c->setup.film,
                                    .clock = c->clock,
                                    .magnify = bead_views_any(&output->views, BEAD_SHOWS_BEADS) ? c->magnify : 0,
@@ -132,23 +131,18 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
                                    .chain_count = c->setup.chain_count,
                                    .held = c->setup.held};
     if (c->setup.interest)
-        err = bead_interest_open(c, msg);
-    if (!err && c->setup.held)
-        err = bead_composer_hold(c, msg);
-    if (!err)
-        err = bead_composer_arrange(c, msg);
-    if (!err)
-        err = bead_inset_check(c, msg);
-    if (!err && c->wants.follow)
-        err = bead_composer_cameras(c, msg);
-    if (!err)
-        err = create_views(c, msg);
-    if (!err)
-        err = bead_frame_create(c->setup.width, c->setup.height, &c->frame, msg);
-    if (!err)
-        err = bead_frame_create(c->setup.width, c->setup.height, &c->background, msg);
+        BEAD_TRY(bead_interest_open(c, msg));
+    if (c->setup.held)
+        BEAD_TRY(bead_composer_hold(c, msg));
+    BEAD_TRY(bead_composer_arrange(c, msg));
+    BEAD_TRY(bead_inset_check(c, msg));
+    if (c->wants.follow)
+        BEAD_TRY(bead_composer_cameras(c, msg));
+    BEAD_TRY(create_views(c, msg));
+    BEAD_TRY(bead_frame_create(c->setup.width, c->setup.height, &c->frame, msg));
+    BEAD_TRY(bead_frame_create(c->setup.width, c->setup.height, &c->background, msg));
     c->frame.alpha = c->background.alpha = c->look.clear;
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,

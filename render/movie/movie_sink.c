@@ -330,17 +330,13 @@ static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead
     if (err && (whole || err != BEAD_ERROR_STOPPED))
         return err;
     credit(s);
-    err = BEAD_OK;
     if (whole && s->poster_path)
-        err = bead_poster_write(&s->poster, s->poster_path, s->film.context.scene, s->movie, &s->poster_bytes, msg);
-    if (!err && whole)
-        err = bead_film_sound_write(s->sound, s->movie, msg);
+        BEAD_TRY(bead_poster_write(&s->poster, s->poster_path, s->film.context.scene, s->movie, &s->poster_bytes, msg));
+    if (whole)
+        BEAD_TRY(bead_film_sound_write(s->sound, s->movie, msg));
     bead_movie_notes_tell(s->tale, &s->notes);
     bead_tale_words(s->tale, tale, sizeof tale);
-    if (!err)
-        err = bead_movie_describe(s->movie, tale, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_movie_describe(s->movie, tale, msg));
     struct bead_movie *movie = s->movie;
     s->movie = NULL;
     err = (whole ? bead_movie_close : bead_movie_stop)(movie, &s->bytes, msg);

@@ -96,7 +96,7 @@ enum { BESIDE_PICTURE = 2 };
 static enum bead_error upload_picture(const struct bead_stage_bake *bake, int picture, GLuint *texture, struct bead_message *msg)
 {
     const int wide = bake->wide + 2 * BESIDE_PICTURE;
-    float *rgba = NULL;
+    BEAD_FREED float *rgba = NULL;
     BEAD_TRY(bead_new(&rgba, 4 * (size_t)wide * (size_t)bake->high, msg, "the look of beads"));
     for (int y = 0; y < bake->high; y++)
         for (int k = 0; k < 4; k++)
@@ -104,7 +104,6 @@ static enum bead_error upload_picture(const struct bead_stage_bake *bake, int pi
                 rgba[4 * ((size_t)y * (size_t)wide + (size_t)(x + BESIDE_PICTURE)) + (size_t)k] =
                     bead_stage_row(bake, (enum bead_stage_picture)picture, y, k)[x];
     *texture = make_texture(wide, bake->high, rgba);
-    free(rgba);
     return BEAD_OK;
 }
 

@@ -123,11 +123,7 @@ static enum bead_error fill(struct bead_plot_data *data, const struct bead_sweep
 
 enum bead_error bead_lines_plot_fill(struct bead_plot_data *data, struct bead_message *msg)
 {
-    struct bead_sweep_lines lines;
-    enum bead_error err =
-        bead_sweep_lines_find(data->context.sweep, data->output, data->context.sweep_settings, false, &lines, msg);
-    if (!err)
-        err = lines.laws > 0 ? bead_spreading_plot_fill(data, &lines, msg) : fill(data, &lines, msg);
-    bead_sweep_lines_free(&lines);
-    return err;
+    BEAD_LEFT_TO(bead_sweep_lines_free) struct bead_sweep_lines lines;
+    BEAD_TRY(bead_sweep_lines_find(data->context.sweep, data->output, data->context.sweep_settings, false, &lines, msg));
+    return lines.laws > 0 ? bead_spreading_plot_fill(data, &lines, msg) : fill(data, &lines, msg);
 }

@@ -136,27 +136,22 @@ static const char *name_measure(struct bead_plot_data *data, const char *unit)
 static enum bead_error fill_places(struct bead_plot_data *data, sweep_plot_keys *fill_panel, const struct bead_sweep_values *values,
                                    const char *unit, struct bead_message *msg)
 {
-    enum bead_error err = sweep_plot_reserve_places(data, msg);
-    for (size_t p = 0; p < data->count && !err; p++) {
-        struct bead_sweep_curves found;
-        err = bead_sweep_curves_find(data->context.sweep, 0, p, values, data->output->sweep_curves.against, &found, msg);
-        if (!err)
-            err = fill_panel(data, p, &found, unit, msg);
-        bead_sweep_curves_free(&found);
+    BEAD_TRY(sweep_plot_reserve_places(data, msg));
+    for (size_t p = 0; p < data->count; p++) {
+        BEAD_LEFT_TO(bead_sweep_curves_free) struct bead_sweep_curves found;
+        BEAD_TRY(bead_sweep_curves_find(data->context.sweep, 0, p, values, data->output->sweep_curves.against, &found, msg));
+        BEAD_TRY(fill_panel(data, p, &found, unit, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error sweep_plot_fill_keys(struct bead_plot_data *data, sweep_plot_keys *fill_panel, struct bead_message *msg)
 {
     const char *measure = data->output->sweep_curves.measure, *unit = "N";
-    struct bead_sweep_values of = {NULL, NULL};
+    BEAD_LEFT_TO(bead_sweep_values_free) struct bead_sweep_values of = {NULL, NULL};
     snprintf(data->axis_title, sizeof data->axis_title, "peak bead force");
-    enum bead_error err = BEAD_OK;
-    if (*measure)
-        err = bead_sweep_measured(data->context.sweep, measure, data->context.sweep_settings, &of, &unit, msg);
-    if (!err)
-        err = fill_places(data, fill_panel, *measure ? &of : NULL, *measure ? name_measure(data, unit) : unit, msg);
-    bead_sweep_values_free(&of);
-    return err;
+    if (!*measure)
+        return fill_places(data, fill_panel, NULL, unit, msg);
+    BEAD_TRY(bead_sweep_measured(data->context.sweep, measure, data->context.sweep_settings, &of, &unit, msg));
+    return fill_places(data, fill_panel, &of, name_measure(data, unit), msg);
 }

@@ -189,12 +189,10 @@ static enum bead_error reduce(const struct bead_plot_data *data, const struct pl
 static enum bead_error add(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, struct bead_series series,
                            struct plot_panel *into, struct bead_message *msg)
 {
-    struct bead_curves curves;
-    enum bead_error err = reduce(data, part, k, part != into, &curves, msg);
-    if (!err)
-        plot_add_curve(into, series, &curves, 0, 1);
-    bead_curves_free(&curves);
-    return err;
+    BEAD_LEFT_TO(bead_curves_free) struct bead_curves curves;
+    BEAD_TRY(reduce(data, part, k, part != into, &curves, msg));
+    plot_add_curve(into, series, &curves, 0, 1);
+    return BEAD_OK;
 }
 
 /* Adds them to panel `p`, and their differences from the computed ones to the panel below. Errors: MEMORY. */

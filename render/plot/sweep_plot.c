@@ -400,30 +400,24 @@ static enum bead_error begin(const struct bead_output *output, const struct bead
     return BEAD_OK;
 }
 
+BEAD_LEAVES(plot_left, struct bead_plot_data, bead_plot_data_destroy)
+
 static enum bead_error write_plot(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                   uint64_t *bytes, struct bead_message *msg)
 {
-    struct bead_plot_data *data = NULL;
-    enum bead_error err = begin(output, context, &data, msg);
-    if (!err)
-        err = plot_of(output, context->sweep)(data, msg);
-    if (!err)
-        err = bead_plot_data_write(data, path, bytes, msg);
-    bead_plot_data_destroy(data);
-    return err;
+    BEAD_LEFT_TO(plot_left) struct bead_plot_data *data = NULL;
+    BEAD_TRY(begin(output, context, &data, msg));
+    BEAD_TRY(plot_of(output, context->sweep)(data, msg));
+    return bead_plot_data_write(data, path, bytes, msg);
 }
 
 static enum bead_error check_plot(const struct bead_output *output, const struct bead_run_context *context,
                                   struct bead_message *msg)
 {
-    struct bead_plot_data *data = NULL;
-    enum bead_error err = begin(output, context, &data, msg);
-    if (!err)
-        err = reserve_unknown(data, msg);
-    if (!err)
-        err = bead_plot_data_check(data, msg);
-    bead_plot_data_destroy(data);
-    return err;
+    BEAD_LEFT_TO(plot_left) struct bead_plot_data *data = NULL;
+    BEAD_TRY(begin(output, context, &data, msg));
+    BEAD_TRY(reserve_unknown(data, msg));
+    return bead_plot_data_check(data, msg);
 }
 
 static const char *sweep_plot_why(const struct bead_output *output)

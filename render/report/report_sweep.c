@@ -281,18 +281,12 @@ static enum bead_error write_report(const struct bead_output *output, const stru
     static const char *const scripts[] = {"data.js", "axes.js", "chart.js", "page.js", "save.js", "sweep.js", NULL};
     static const struct report_part parts[] = {{"data", sweep_data}, {NULL, NULL}};
     static const struct report_page page = {NULL, "sweep.html", scripts, parts};
-    struct sweep_report r = {.output = output, .sweep = context->sweep};
-    enum bead_error err = prepare_colours(&r, msg);
-    if (!err)
-        err = list_images(&r, msg);
-    if (!err)
-        err = run_images(&r, context->sweep_settings, msg);
-    if (!err)
-        err = find_range(&r, msg);
-    if (!err)
-        err = report_write_page(&page, bead_sweep_scene(r.sweep), &r, path, bytes, msg);
-    sweep_clear(&r);
-    return err;
+    BEAD_LEFT_TO(sweep_clear) struct sweep_report r = {.output = output, .sweep = context->sweep};
+    BEAD_TRY(prepare_colours(&r, msg));
+    BEAD_TRY(list_images(&r, msg));
+    BEAD_TRY(run_images(&r, context->sweep_settings, msg));
+    BEAD_TRY(find_range(&r, msg));
+    return report_write_page(&page, bead_sweep_scene(r.sweep), &r, path, bytes, msg);
 }
 
 static enum bead_error check_report(const struct bead_output *output, const struct bead_run_context *, struct bead_message *msg)

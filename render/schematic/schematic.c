@@ -127,10 +127,8 @@ static enum bead_error open_paper(const struct bead_output *output, const struct
 static enum bead_error draw_paper(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct paper *p = context;
-    struct bead_sketch sketch = {.cr = cr, .look = &p->look};
-    enum bead_error err = bead_schematic_draw(p->output, p->context, &sketch, p->page.width, p->page.height, msg);
-    bead_sketch_free(&sketch);
-    return err;
+    BEAD_LEFT_TO(bead_sketch_free) struct bead_sketch sketch = {.cr = cr, .look = &p->look};
+    return bead_schematic_draw(p->output, p->context, &sketch, p->page.width, p->page.height, msg);
 }
 
 static enum bead_error try_paper(struct paper *paper, struct bead_message *msg)

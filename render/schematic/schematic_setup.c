@@ -274,7 +274,7 @@ static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_
 bool bead_schematic_setup(const struct bead_drafting *d)
 {
     BEAD_FREED struct bead_piece *pieces = calloc(PIECES, sizeof *pieces);
-    struct bead_plan plan = {0};
+    BEAD_LEFT_TO(bead_plan_free) struct bead_plan plan = {0};
     struct bead_box area = d->area;
     d->sketch->failed = d->sketch->failed || !pieces;
     bool room =
@@ -287,6 +287,5 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     }
     for (size_t i = 0; room && i < plan.row_count; i++)
         setup_draw_row(&plan, &plan.rows[i]);
-    bead_plan_free(&plan);
     return room;
 }

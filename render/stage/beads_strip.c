@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of beads too small to be drawn: each column of pixels shows the exact mean of the field over its beads, as a colour over the
  * materials' colours, and the background in their gaps. */
-#include <stdlib.h>
 
 #include "render/stage/beads.h"
+#include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 
 /* The share of light that a ball reflects, compared with a flat square of its colour. */
@@ -25,7 +25,8 @@ static double tent(double x, double h)
 bool bead_beads_prepare_strip(struct bead_view *v)
 {
     size_t width = (size_t)v->plot.width;
-    double h = fmax(1, 2 * v->plot.width / (double)v->count), *weight = calloc(width, sizeof *weight);
+    const double h = fmax(1, 2 * v->plot.width / (double)v->count);
+    BEAD_FREED double *weight = calloc(width, sizeof *weight);
     v->base = calloc(width, sizeof *v->base);
     for (size_t i = 0; v->base && weight && i < v->count; i++) {
         const double *own = bead_chain_colour(v->setup.chain, v->first + i);
@@ -41,9 +42,7 @@ bool bead_beads_prepare_strip(struct bead_view *v)
         for (int c = 0; c < 3; c++)
             v->base[x][c] *= weight[x] > 0 ? shading / weight[x] : 0;
     }
-    bool good = v->base && weight;
-    free(weight);
-    return good;
+    return v->base && weight;
 }
 
 /* Beads count as blocks as wide as their diameter. */

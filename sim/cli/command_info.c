@@ -144,44 +144,33 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
 {
     char path[PATH_MAX], until[32], step[32];
     const char *unit = "s";
-    struct bead_scene *scene = NULL;
+    BEAD_LEFT_TO(bead_scene_left) struct bead_scene *scene = NULL;
     const struct bead_overrides overrides = command_overrides(command);
-    enum bead_error err = bead_scene_find(command->job.input, path, sizeof path, msg);
-    if (!err)
-        err = bead_scene_load(path, &overrides, &scene, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_scene_find(command->job.input, path, sizeof path, msg));
+    BEAD_TRY(bead_scene_load(path, &overrides, &scene, msg));
     if (scene->doubts)
         command_warn(command->program, scene->doubts);
-    if (command->json) {
-        err = command_describe_scene(out, scene, command->config, msg);
-        bead_scene_free(scene);
-        return err;
-    }
+    if (command->json)
+        return command_describe_scene(out, scene, command->config, msg);
     print_head(out, path, scene->sweep_count > 0 ? "scene of a sweep" : "scene", scene);
     for (size_t i = 0; i < scene->sweep_count; i++)
         print_sweep_spec(out, &scene->sweeps[i], bead_scene_last_bead(scene, scene->sweeps[i].chain));
-    for (size_t i = 0; i < scene->chain_count && !err; i++) {
+    for (size_t i = 0; i < scene->chain_count; i++) {
         struct bead_chain *chain;
-        err = bead_chain_outline(scene, &scene->chains[i], &chain, msg);
-        if (err)
-            break;
+        BEAD_TRY(bead_chain_outline(scene, &scene->chains[i], &chain, msg));
         print_chain(out, chain, i);
         unit = bead_chain_time_unit(chain);
         bead_chain_destroy(chain);
     }
     const struct bead_simulate *simulate = &scene->simulate;
-    if (!err) {
-        fprintf(out, "until %s, accuracy %.3g, method %s",
-                isfinite(simulate->until) ? command_quantity(simulate->until, unit, until, sizeof until) : "the front is through",
-                simulate->accuracy, simulate->method);
-        if (simulate->step > 0)
-            fprintf(out, ", step %s", command_quantity(simulate->step, unit, step, sizeof step));
-        fputc('\n', out);
-        print_outputs(out, scene);
-    }
-    bead_scene_free(scene);
-    return err;
+    fprintf(out, "until %s, accuracy %.3g, method %s",
+            isfinite(simulate->until) ? command_quantity(simulate->until, unit, until, sizeof until) : "the front is through",
+            simulate->accuracy, simulate->method);
+    if (simulate->step > 0)
+        fprintf(out, ", step %s", command_quantity(simulate->step, unit, step, sizeof step));
+    fputc('\n', out);
+    print_outputs(out, scene);
+    return BEAD_OK;
 }
 
 static void print_outcome(FILE *out, size_t index, const char *unit, const struct bead_outcome *outcome)
@@ -292,17 +281,15 @@ static enum bead_error describe_measures(FILE *out, struct bead_trajectory *traj
     return err;
 }
 
+BEAD_LEAVES(trajectory_left, struct bead_trajectory, bead_trajectory_close)
+
 static enum bead_error trajectory_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     const struct bead_overrides overrides = command_overrides(command);
-    struct bead_trajectory *trajectory;
+    BEAD_LEFT_TO(trajectory_left) struct bead_trajectory *trajectory = NULL;
     BEAD_TRY(bead_trajectory_open(command->job.input, &overrides, &trajectory, msg));
-    enum bead_error err = BEAD_OK;
-    if (command->json) {
-        err = command_describe_trajectory(out, command->job.input, trajectory, command->config, msg);
-        bead_trajectory_close(trajectory);
-        return err;
-    }
+    if (command->json)
+        return command_describe_trajectory(out, command->job.input, trajectory, command->config, msg);
     size_t count = 0;
     const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
     const char *kind = bead_trajectory_complete(trajectory) ? "trajectory" : "trajectory of a run that was stopped or killed";
@@ -310,16 +297,13 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
     for (size_t i = 0; i < count; i++)
         print_chain(out, chains[i], i);
     print_samples(out, trajectory, chains[0]);
-    for (size_t i = 0; i < count && !err; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct bead_outcome outcome;
-        err = bead_trajectory_outcome(trajectory, i, &outcome, msg);
-        if (!err)
-            print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
-        if (!err)
-            err = describe_measures(out, trajectory, i, &outcome, msg);
+        BEAD_TRY(bead_trajectory_outcome(trajectory, i, &outcome, msg));
+        print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
+        BEAD_TRY(describe_measures(out, trajectory, i, &outcome, msg));
     }
-    bead_trajectory_close(trajectory);
-    return err;
+    return BEAD_OK;
 }
 
 static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)

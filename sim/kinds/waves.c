@@ -16,6 +16,13 @@ struct wave_file {
     double time, start;
 };
 
+static void forget(struct wave_file *file)
+{
+    free(file->name);
+    free(file->columns[0]);
+    free(file->columns[1]);
+}
+
 #define WAVE(member) offsetof(struct wave_file, member)
 
 static BEAD_OPTION_READER(read_columns)
@@ -195,17 +202,12 @@ static enum bead_error file_points(const struct bead_reader *reader, const struc
 static enum bead_error take_points(struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
                                    const char **points)
 {
-    struct wave_file file = {0};
+    BEAD_LEFT_TO(forget) struct wave_file file = {0};
     BEAD_FREED char *text = NULL;
-    enum bead_error err = bead_options_read(reader, at, options, &file);
-    if (!err)
-        err = file_points(reader, at, &file, &text);
-    if (!err && !(*points = bead_yaml_text(reader->yaml, text, strlen(text))))
-        err = bead_no_memory(reader);
-    free(file.name);
-    free(file.columns[0]);
-    free(file.columns[1]);
-    return err;
+    BEAD_TRY(bead_options_read(reader, at, options, &file));
+    BEAD_TRY(file_points(reader, at, &file, &text));
+    *points = bead_yaml_text(reader->yaml, text, strlen(text));
+    return *points ? BEAD_OK : bead_no_memory(reader);
 }
 
 /* Settings, which may be applied to the scene again, may name another file, or read the file in another way. */
@@ -325,25 +327,21 @@ static enum bead_error read_measured(struct bead_reader *reader, const struct be
     const struct bead_option number = {.type = BEAD_OPTION_NUMBER, .unit = unit, .low = -1e12, .high = 1e12};
     const struct bead_at gain_at = bead_at_key(at, "gain"), offset_at = bead_at_key(at, "offset"),
                          points = bead_at_key(at, "points");
-    struct wave_file file = {0};
+    BEAD_LEFT_TO(forget) struct wave_file file = {0};
     double gain = 1, offset = 0;
-    enum bead_error err = bead_options_read(reader, at, &bead_measured_options, &file);
-    if (!err && (file.name || !bead_given(at, "points")))
-        err = BEAD_WRONG_KEY(reader, at, "file", file.name ? "is given beside `points`" : "is missing");
-    if (!err && bead_given(at, "gain"))
-        err = bead_read_number(reader, &gain_at, &number, &gain);
-    if (!err && bead_given(at, "offset"))
-        err = bead_read_number(reader, &offset_at, &number, &offset);
-    free(file.name);
-    free(file.columns[0]);
-    free(file.columns[1]);
-    if (!err)
-        err = bead_wave_points_read(reader, &points, "`time value, ...`", &measured->points, &measured->count);
+    BEAD_TRY(bead_options_read(reader, at, &bead_measured_options, &file));
+    if (file.name || !bead_given(at, "points"))
+        return BEAD_WRONG_KEY(reader, at, "file", file.name ? "is given beside `points`" : "is missing");
+    if (bead_given(at, "gain"))
+        BEAD_TRY(bead_read_number(reader, &gain_at, &number, &gain));
+    if (bead_given(at, "offset"))
+        BEAD_TRY(bead_read_number(reader, &offset_at, &number, &offset));
+    BEAD_TRY(bead_wave_points_read(reader, &points, "`time value, ...`", &measured->points, &measured->count));
     for (size_t i = 0; i < measured->count; i++) {
         measured->points[i].time += file.start;
         measured->points[i].value = offset + gain * measured->points[i].value;
     }
-    return err;
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_output_read_measured)

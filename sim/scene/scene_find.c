@@ -3,10 +3,10 @@
 #include <dirent.h>
 #include <errno.h>
 #include <limits.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 
 #include "sim/base/assets.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/base/text.h"
 #include "sim/scene/scene_private.h"
@@ -78,19 +78,15 @@ static enum bead_error list_names(struct listing *list)
 /* The title alone: a ready scene need not be whole to be listed. */
 static enum bead_error read_title(struct bead_ready_scene *scene, struct bead_message *msg)
 {
-    char name[PATH_MAX], *text = NULL;
-    struct bead_yaml *yaml = NULL;
+    char name[PATH_MAX];
+    BEAD_FREED char *text = NULL;
+    BEAD_LEFT_TO(bead_yaml_left) struct bead_yaml *yaml = NULL;
     size_t length = 0;
     snprintf(name, sizeof name, "scenes/%s%s", scene->name, extension);
-    enum bead_error err = bead_asset_read(name, &text, &length, msg);
-    if (!err)
-        err = bead_yaml_parse(name, text, length, &yaml, msg);
-    free(text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_asset_read(name, &text, &length, msg));
+    BEAD_TRY(bead_yaml_parse(name, text, length, &yaml, msg));
     const struct bead_node *title = bead_node_get(bead_yaml_root(yaml), "title", NULL);
     scene->title = strdup(title && title->kind == BEAD_NODE_SCALAR ? title->text : "");
-    bead_yaml_free(yaml);
     return scene->title ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
 }
 

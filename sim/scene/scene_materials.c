@@ -188,21 +188,16 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
     char path[4096];
     BEAD_FREED char *text = NULL;
     size_t length = 0;
-    struct bead_yaml *yaml = NULL, *scene_yaml = reader->yaml;
-    enum bead_error err = bead_asset_path(file, path, sizeof path, reader->msg);
-    if (!err)
-        err = bead_yaml_note_part(scene_yaml, path, reader->msg);
-    if (!err)
-        err = bead_asset_read(file, &text, &length, reader->msg);
-    if (!err)
-        err = bead_yaml_parse(path, text, length, &yaml, reader->msg);
-    if (!err) {
-        struct bead_at root = {NULL, "", 0, bead_yaml_root(yaml)};
-        reader->yaml = yaml; /* messages show its name */
-        err = bead_scene_read_materials(reader, &root, &option, NULL);
-        reader->yaml = scene_yaml;
-    }
-    bead_yaml_free(yaml);
+    BEAD_LEFT_TO(bead_yaml_left) struct bead_yaml *yaml = NULL;
+    struct bead_yaml *scene_yaml = reader->yaml;
+    BEAD_TRY(bead_asset_path(file, path, sizeof path, reader->msg));
+    BEAD_TRY(bead_yaml_note_part(scene_yaml, path, reader->msg));
+    BEAD_TRY(bead_asset_read(file, &text, &length, reader->msg));
+    BEAD_TRY(bead_yaml_parse(path, text, length, &yaml, reader->msg));
+    struct bead_at root = {NULL, "", 0, bead_yaml_root(yaml)};
+    reader->yaml = yaml; /* messages show its name */
+    enum bead_error err = bead_scene_read_materials(reader, &root, &option, NULL);
+    reader->yaml = scene_yaml;
     return err;
 }
 

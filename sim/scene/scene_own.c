@@ -65,22 +65,21 @@ static enum bead_error take_materials(struct own *own)
 {
     const struct bead_config *config = own->config;
     struct bead_message *msg = own->reader->msg, why = {""};
-    struct bead_yaml *library = NULL;
+    BEAD_LEFT_TO(bead_yaml_left) struct bead_yaml *library = NULL;
     BEAD_FREED char *text = NULL;
     size_t length = 0;
     enum bead_error err = bead_yaml_read_part(own->reader->yaml, config->materials, BEAD_YAML_BYTES, &text, &length, &why);
     if (err)
         return bead_fail(msg, err == BEAD_ERROR_IO ? BEAD_ERROR_SCENE : err, "%s:%zu:%zu: materials: %.500s", config->path,
                          config->materials_place.line, config->materials_place.column, why.text);
-    err = bead_yaml_parse(config->materials, text, length, &library, msg);
-    const struct bead_node *root = err ? NULL : bead_yaml_root(library);
-    if (root && root->kind != BEAD_NODE_MAP)
-        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: must be a map of materials, as under `materials` of scenes",
-                        config->materials, root->place.line, root->place.column);
-    for (size_t i = 0; !err && i + 1 < root->count; i += 2)
-        err = take_material(own, library, root->items[i], root->items[i + 1]);
-    bead_yaml_free(library);
-    return err;
+    BEAD_TRY(bead_yaml_parse(config->materials, text, length, &library, msg));
+    const struct bead_node *root = bead_yaml_root(library);
+    if (root->kind != BEAD_NODE_MAP)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: must be a map of materials, as under `materials` of scenes",
+                         config->materials, root->place.line, root->place.column);
+    for (size_t i = 0; i + 1 < root->count; i += 2)
+        BEAD_TRY(take_material(own, library, root->items[i], root->items[i + 1]));
+    return BEAD_OK;
 }
 
 /* ---- style and font ---- */
@@ -154,9 +153,8 @@ static char *colours_text(double (*rgb)[3], size_t count, const char *turned)
 static char *read_colours(const char *text, const char *turned, char *why, size_t size)
 {
     static const char shape[] = "must be a row of red, green and blue, all from 0 to 255 or all from 0 to 1";
-    double(*rgb)[3] = calloc(MOST_COLOURS, sizeof *rgb);
+    BEAD_FREED double(*rgb)[3] = calloc(MOST_COLOURS, sizeof *rgb);
     size_t count = 0, number = 1;
-    char *colours = NULL;
     snprintf(why, size, "out of memory");
     for (const char *line = text; rgb && line && *line; line = strchr(line, '\n'), line += line != NULL, number++) {
         const char *first = line + strspn(line, " \t\r");
@@ -165,17 +163,13 @@ static char *read_colours(const char *text, const char *turned, char *why, size_
         const char *wrong = count == MOST_COLOURS ? "has more than 1024 colours" : !read_row(line, rgb[count]) ? shape : NULL;
         if (wrong) {
             snprintf(why, size, "line %zu: %s", number, wrong);
-            free(rgb);
             return NULL;
         }
         count++;
     }
     if (rgb && count < 2)
         snprintf(why, size, "has %zu colours; must have from 2 to %d, a row each", count, MOST_COLOURS);
-    else if (rgb)
-        colours = colours_text(rgb, count, turned);
-    free(rgb);
-    return colours;
+    return rgb && count >= 2 ? colours_text(rgb, count, turned) : NULL;
 }
 
 static char *colours_path(const struct own *own, const struct bead_node *node, const char *name)

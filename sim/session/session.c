@@ -52,7 +52,7 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     struct bead_play play = bead_session_play(s, "scouting the end");
     play.hash = false;
     play.counts = &s->counts;
-    struct bead_played played;
+    BEAD_LEFT_TO(bead_played_free) struct bead_played played;
     enum bead_error err = bead_play(&play, &played, msg);
     double end = 0, asked_end = 0;
     bead_session_find_lost(s, &played);
@@ -62,7 +62,6 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     }
     for (size_t i = 0; i < s->made_count; i++)
         asked_end = s->made[i].asked ? fmax(asked_end, asked_time(s->made[i].output)) : asked_end;
-    bead_played_free(&played);
     s->end = fmax(end, asked_end);
     s->extended = asked_end > end;
     return err;
@@ -185,7 +184,9 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: a session runs once, and this one has: open another", s->job.input);
     s->begun = true;
     BEAD_TRY(bead_new(&s->results, 2 * s->made_count + 1, msg, "a session")); /* each with a second file, at most */
-    return s->sweep ? bead_session_run_sweep(s, msg) : bead_session_run_single(s, msg);
+    const enum bead_error err = s->sweep ? bead_session_run_sweep(s, msg) : bead_session_run_single(s, msg);
+    bead_session_release(s);
+    return err;
 }
 
 void bead_session_close(struct bead_session *s)

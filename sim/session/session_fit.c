@@ -66,11 +66,9 @@ static enum bead_error play(const struct fit *f, const struct bead_scene *scene,
                                   .needed = f->end,
                                   .threads = 1,
                                   .stop = s->job.stop};
-    struct bead_played played;
     bead_places_need(record->output, record->chain, &consumer.needs);
-    enum bead_error err = bead_play(&run, &played, msg);
-    bead_played_free(&played);
-    return err;
+    BEAD_LEFT_TO(bead_played_free) struct bead_played played;
+    return bead_play(&run, &played, msg);
 }
 
 static bool counts(const struct fit *f, const struct bead_wave_point *point)
@@ -106,11 +104,9 @@ static enum bead_error compare(const struct fit *f, const struct bead_scene *sce
 static enum bead_error residuals(const void *context, const double *x, double *r, struct bead_message *msg)
 {
     const struct fit *f = context;
-    struct bead_scene *scene = NULL;
+    BEAD_LEFT_TO(bead_scene_left) struct bead_scene *scene = NULL;
     BEAD_TRY(change(f->session, x, &scene, msg));
-    enum bead_error err = compare(f, scene, r, msg);
-    bead_scene_free(scene);
-    return err;
+    return compare(f, scene, r, msg);
 }
 
 /* ---- the search ---- */

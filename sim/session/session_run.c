@@ -47,10 +47,8 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
     p.needed = needed;
     p.hash = false;
     p.counts = &s->counts;
-    struct bead_played played;
-    enum bead_error err = bead_play(&p, &played, msg);
-    bead_played_free(&played);
-    return err;
+    BEAD_LEFT_TO(bead_played_free) struct bead_played played;
+    return bead_play(&p, &played, msg);
 }
 
 static enum bead_error give_to_sink(const struct bead_consumer *consumer, const struct bead_sample *sample,
@@ -271,19 +269,15 @@ static bool draws_frames(const struct bead_session *s)
 
 static enum bead_error session_run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    enum bead_error err = bead_session_lay(s, msg);
-    if (!err && !s->trajectory)
-        err = bead_file_make_directory(s->job.output, msg);
-    if (!err)
-        err = bead_session_claim(s, msg);
-    if (!err && !s->trajectory)
-        err = bead_session_verify(s, msg);
-    if (!err)
-        err = scout(s, consumers, msg);
-    if (err) /* or stopped while scouting: no sink has begun */
-        return err;
+    BEAD_TRY(bead_session_lay(s, msg));
+    if (!s->trajectory)
+        BEAD_TRY(bead_file_make_directory(s->job.output, msg));
+    BEAD_TRY(bead_session_claim(s, msg));
+    if (!s->trajectory)
+        BEAD_TRY(bead_session_verify(s, msg));
+    BEAD_TRY(scout(s, consumers, msg)); /* if stopped there, no sink has begun */
     struct bead_play p = bead_session_play(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
-    err = session_begin(s, consumers, &p.consumer_count, msg);
+    enum bead_error err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
     p.counts = &s->counts;
     if (!err)
@@ -305,10 +299,9 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
 
 enum bead_error bead_session_run_single(struct bead_session *s, struct bead_message *msg)
 {
-    struct bead_consumer *consumers;
+    BEAD_FREED struct bead_consumer *consumers = NULL;
     BEAD_TRY(bead_new(&consumers, s->made_count + 1, msg, "outputs"));
     enum bead_error err = session_run(s, consumers, msg);
-    free(consumers);
     /* Destroys unfinished sinks, which removes their files. */
     for (size_t i = 0; err && i < s->made_count; i++) {
         if (s->made[i].sink && !s->made[i].ended) {
@@ -316,7 +309,6 @@ enum bead_error bead_session_run_single(struct bead_session *s, struct bead_mess
             s->made[i].sink = NULL;
         }
     }
-    bead_session_release(s);
     return err;
 }
 

@@ -34,14 +34,10 @@ static enum bead_error load_all(struct bead_session *s, struct bead_message *msg
 /* The one output that the job's file names, or a frame, or a sheet. */
 static enum bead_error load_single(struct bead_session *s, struct bead_message *msg)
 {
-    struct bead_scene *plain = NULL;
-    enum bead_error err = load(s, false, &plain, msg);
-    if (!err && s->job.sheet)
-        err = bead_session_choose_sheet(s, plain, &s->scene, msg);
-    else if (!err)
-        err = bead_session_choose(s, plain, plain->sweep_count > 0 ? BEAD_OF_SWEEP : BEAD_OF_RUN, NULL, &s->scene, msg);
-    bead_scene_free(plain);
-    return err;
+    BEAD_LEFT_TO(bead_scene_left) struct bead_scene *plain = NULL;
+    BEAD_TRY(load(s, false, &plain, msg));
+    return s->job.sheet ? bead_session_choose_sheet(s, plain, &s->scene, msg)
+                        : bead_session_choose(s, plain, plain->sweep_count > 0 ? BEAD_OF_SWEEP : BEAD_OF_RUN, NULL, &s->scene, msg);
 }
 
 /* ---- sheets ---- */
@@ -174,23 +170,20 @@ static enum bead_error make_configuration(struct bead_session *s, const struct b
     return bead_session_choose(s, bead_sweep_scene(sweep), BEAD_OF_CONFIGURATION, &chain, &s->scene, msg);
 }
 
+BEAD_LEAVES(sweep_left, struct bead_sweep, bead_sweep_close)
+
 static enum bead_error load_configuration(struct bead_session *s, struct bead_message *msg)
 {
-    struct bead_sweep *sweep = NULL;
-    struct bead_scene *scene = NULL;
+    BEAD_LEFT_TO(bead_scene_left) struct bead_scene *scene = NULL;
+    BEAD_LEFT_TO(sweep_left) struct bead_sweep *sweep = NULL;
     size_t panel = 0, index = 0;
-    enum bead_error err = open_configurations(s, &scene, &sweep, msg);
-    if (!err && !sweep)
-        err = bead_session_choose_chain(s, scene, BEAD_OF_RUN, &index, &s->scene, msg);
-    else if (!err)
-        err = find_configuration(sweep, s->job.configuration, &panel, &index, msg);
-    if (!err && !scene)
-        err = check_stored(s, sweep, panel, index, msg);
-    if (!err && sweep)
-        err = make_configuration(s, sweep, panel, index, msg);
-    bead_sweep_close(sweep);
-    bead_scene_free(scene);
-    return err;
+    BEAD_TRY(open_configurations(s, &scene, &sweep, msg));
+    if (!sweep)
+        return bead_session_choose_chain(s, scene, BEAD_OF_RUN, &index, &s->scene, msg);
+    BEAD_TRY(find_configuration(sweep, s->job.configuration, &panel, &index, msg));
+    if (!scene)
+        BEAD_TRY(check_stored(s, sweep, panel, index, msg));
+    return make_configuration(s, sweep, panel, index, msg);
 }
 
 enum bead_error bead_session_load(struct bead_session *s, struct bead_message *msg)

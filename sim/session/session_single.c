@@ -424,12 +424,9 @@ static enum bead_error choose_set_frame(struct bead_session *s, const struct bea
         replaced = replaced || strncmp(s->job.settings[i], "outputs=", 8) == 0;
     if (!replaced)
         return choose_frame(s, scene, entry, msg);
-    struct bead_scene *set = NULL;
-    enum bead_error err = change(s, scene, &(struct changes){.count = 0}, 0, &set, msg);
-    if (!err)
-        err = choose_frame(s, set, entry, msg);
-    bead_scene_free(set);
-    return err;
+    BEAD_LEFT_TO(bead_scene_left) struct bead_scene *set = NULL;
+    BEAD_TRY(change(s, scene, &(struct changes){.count = 0}, 0, &set, msg));
+    return choose_frame(s, set, entry, msg);
 }
 
 /* Describes a file drawn from a trajectory as a scene that names this file and keeps the sample times: it makes the same file

@@ -136,24 +136,22 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         if (bead_session_makes(&s->made[i]) && bead_session_holds_sweep(&s->made[i]))
             results = &s->made[i];
     }
-    enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
-    if (!err)
-        err = bead_session_claim(s, msg);
-    if (!err && results)
-        err = bead_h5_load(msg); /* or a run of hours might fail at its end */
-    if (!err && results)
-        err = bead_file_part_name(results->path, &journal, msg);
-    if (!err && !s->sweep_read && needs_results(s))
-        err = compute(s, journal, msg);
-    if (!err && !s->sweep_read)
-        err = judge_and_keep(s, results, msg);
-    if (!err)
-        err = bead_session_finish_all(s, msg);
+    if (!s->sweep_read)
+        BEAD_TRY(bead_file_make_directory(s->job.output, msg));
+    BEAD_TRY(bead_session_claim(s, msg));
+    if (results) {
+        BEAD_TRY(bead_h5_load(msg)); /* or a run of hours might fail at its end */
+        BEAD_TRY(bead_file_part_name(results->path, &journal, msg));
+    }
+    if (!s->sweep_read && needs_results(s))
+        BEAD_TRY(compute(s, journal, msg));
+    if (!s->sweep_read)
+        BEAD_TRY(judge_and_keep(s, results, msg));
+    BEAD_TRY(bead_session_finish_all(s, msg));
     /* Only now: if a plot fails or the run is stopped, the same command need not compute the chains again. */
-    if (!err && journal)
+    if (journal)
         bead_file_discard(journal);
-    bead_session_release(s);
-    return err;
+    return BEAD_OK;
 }
 
 const struct bead_sweep *bead_session_sweep(const struct bead_session *s)
@@ -179,42 +177,36 @@ static enum bead_error plan_panel(const struct bead_session *s, size_t index, FI
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(s->sweep, index);
     const struct bead_sweep_spec *spec = panel->spec;
-    struct bead_sweep_chain *chain = NULL;
+    BEAD_LEFT_TO(bead_sweep_chain_left) struct bead_sweep_chain *chain = NULL;
     struct bead_stepping stepping;
-    enum bead_error err = bead_sweep_chain_create(s->sweep, index, BEAD_SWEEP_CLEAN, &chain, msg);
-    if (!err)
-        err = bead_run_stepping(bead_sweep_chain_of(chain), &s->source->simulate, 1, &stepping, msg);
-    if (!err) {
-        fprintf(out, "sweep %s%s%zu configurations of %zu beads", panel->name, *panel->name ? ": " : "", panel->configurations,
-                panel->beads);
-        for (size_t k = 0; k < spec->over.key_count; k++)
-            fprintf(out, "%s %zu of %s",
-                    k == 0                                     ? ", over"
-                    : spec->over.combine == BEAD_COMBINE_PAIRS ? " with"
-                                                               : " by",
-                    spec->over.keys[k].count, spec->over.keys[k].path);
-        if (spec->spins)
-            fprintf(out, ", as given");
-        else if (!spec->own_magnetism && !spec->over.key_count)
-            fprintf(out, ", %zu magnetisms from %.4g to %.4g", spec->group_count, spec->groups[0].magnetism,
-                    spec->groups[spec->group_count - 1].magnetism);
-        if (spec->over.key_count)
-            fprintf(out, ", and the scene as it is; ");
-        else
-            fprintf(out, ", and the one with all of %zu random cells up; ", spec->cells);
-        fprintf(out, "%s with steps %s %.4g us\n", stepping.method->info.name, stepping.variable ? "from" : "of",
-                1e6 * stepping.step);
-        plan_measures(panel, out);
-        const char *kept = bead_sweep_refusal(&s->sweep->panels[index], bead_sweep_chain_of(chain));
-        if (kept)
-            fprintf(out, "  all beads are kept: %s\n", kept);
-        else
-            fprintf(
-                out,
+    BEAD_TRY(bead_sweep_chain_create(s->sweep, index, BEAD_SWEEP_CLEAN, &chain, msg));
+    BEAD_TRY(bead_run_stepping(bead_sweep_chain_of(chain), &s->source->simulate, 1, &stepping, msg));
+    fprintf(out, "sweep %s%s%zu configurations of %zu beads", panel->name, *panel->name ? ": " : "", panel->configurations,
+            panel->beads);
+    for (size_t k = 0; k < spec->over.key_count; k++)
+        fprintf(out, "%s %zu of %s",
+                k == 0                                     ? ", over"
+                : spec->over.combine == BEAD_COMBINE_PAIRS ? " with"
+                                                           : " by",
+                spec->over.keys[k].count, spec->over.keys[k].path);
+    if (spec->spins)
+        fprintf(out, ", as given");
+    else if (!spec->own_magnetism && !spec->over.key_count)
+        fprintf(out, ", %zu magnetisms from %.4g to %.4g", spec->group_count, spec->groups[0].magnetism,
+                spec->groups[spec->group_count - 1].magnetism);
+    if (spec->over.key_count)
+        fprintf(out, ", and the scene as it is; ");
+    else
+        fprintf(out, ", and the one with all of %zu random cells up; ", spec->cells);
+    fprintf(out, "%s with steps %s %.4g us\n", stepping.method->info.name, stepping.variable ? "from" : "of", 1e6 * stepping.step);
+    plan_measures(panel, out);
+    const char *kept = bead_sweep_refusal(&s->sweep->panels[index], bead_sweep_chain_of(chain));
+    if (kept)
+        fprintf(out, "  all beads are kept: %s\n", kept);
+    else
+        fprintf(out,
                 "  beads further behind the front than any measured peak can see are dropped; every 64th chain also runs whole\n");
-    }
-    bead_sweep_chain_destroy(chain);
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out, struct bead_message *msg)

@@ -33,14 +33,14 @@ static enum bead_error try_round(struct bead_session *s, struct verdict *verdict
 {
     struct bead_consumer consumer = {.needs = {.contact_peaks = true, .bead_peaks = true, .uncertainty = true, .until = INFINITY}};
     struct bead_play play = bead_session_play(s, "verifying");
-    struct bead_played played;
     play.consumers = &consumer;
     play.consumer_count = 1;
     play.hash = false;
     play.counts = &s->counts;
     *verdict = (struct verdict){.worst = {.worst_uncertainty = NAN, .worst_force = NAN}};
-    enum bead_error err = bead_play(&play, &played, msg);
-    for (size_t c = 0; !err && c < played.count; c++) {
+    BEAD_LEFT_TO(bead_played_free) struct bead_played played;
+    BEAD_TRY(bead_play(&play, &played, msg));
+    for (size_t c = 0; c < played.count; c++) {
         const struct bead_outcome *o = &played.outcomes[c];
         judge(o->contact_peaks, o->contact_uncertainty, bead_chain_contacts(s->chains[c]), s->source->simulate.accuracy, verdict);
         judge(o->bead_peaks, o->bead_uncertainty, bead_chain_beads(s->chains[c]), s->source->simulate.accuracy, verdict);
@@ -49,8 +49,7 @@ static enum bead_error try_round(struct bead_session *s, struct verdict *verdict
             verdict->chain = c;
         }
     }
-    bead_played_free(&played);
-    return err;
+    return BEAD_OK;
 }
 
 static void tell(struct bead_session *s, const struct verdict *verdict)
@@ -138,7 +137,6 @@ static enum bead_error judge_chain(struct bead_session *s, const struct bead_cha
 {
     const struct bead_validity bound = bead_validity_bound(chain);
     struct bead_consumer consumer = {.needs = {.contact_peaks = true}};
-    struct bead_played played;
     struct bead_play play = bead_session_play(s, "sweeping");
     if (!bead_validity_fails(&bound))
         return BEAD_OK;
@@ -149,11 +147,10 @@ static enum bead_error judge_chain(struct bead_session *s, const struct bead_cha
     play.needed = INFINITY;
     play.passage = isfinite(play.end) ? BEAD_PASSAGE_NONE : BEAD_PASSAGE_OF_FRONT;
     play.hash = false;
-    enum bead_error err = bead_play(&play, &played, msg);
-    if (!err)
-        bead_session_judge(s, &chain, played.outcomes, 1);
-    bead_played_free(&played);
-    return err;
+    BEAD_LEFT_TO(bead_played_free) struct bead_played played;
+    BEAD_TRY(bead_play(&play, &played, msg));
+    bead_session_judge(s, &chain, played.outcomes, 1);
+    return BEAD_OK;
 }
 
 enum bead_error bead_session_judge_sweep(struct bead_session *s, struct bead_message *msg)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "beadreel/scene.h"
+#include "sim/base/internal.h"
 
 enum {
     BEAD_YAML_BYTES = 4 << 20, /* longest text */
@@ -36,6 +37,7 @@ struct bead_yaml;
 BEAD_CHECK enum bead_error bead_yaml_parse(const char *name, const char *text, size_t length, struct bead_yaml **yaml,
                                            struct bead_message *msg);
 void bead_yaml_free(struct bead_yaml *yaml);
+BEAD_LEAVES(bead_yaml_left, struct bead_yaml, bead_yaml_free)
 struct bead_node *bead_yaml_root(const struct bead_yaml *yaml);
 /* `name` for messages about a node: that of the file, or of the option. */
 const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node);
