@@ -169,6 +169,28 @@ static bool has_word(const char *among, const char *before, const char *word, si
     return false;
 }
 
+/* A page has all of a file of assets/report but its licence, with something where the file has {{a name}}. */
+static void assert_filled(const char *page, const char *file)
+{
+    char path[600];
+    size_t length;
+    snprintf(path, sizeof path, "%s/report/%s", getenv("BEADREEL_ASSETS"), file);
+    char *whole = read_all(path, &length), *piece = strchr(whole, '\n') + 1;
+    for (char *end = piece; end; piece = end) {
+        end = strstr(piece, "{{");
+        if (end)
+            *end = '\0';
+        page = strstr(page, piece);
+        if (!page)
+            fail_msg("%s: '%.60s' is not in the page, or not behind what is before it", file, piece);
+        page += strlen(piece);
+        end = end ? strstr(end + 1, "}}") + 2 : NULL;
+    }
+    if (strcmp(file, "page.html") == 0)
+        assert_string_equal(page, "");
+    free(whole);
+}
+
 /* The data of a page have all these keys and no others, and its scripts read each of them. */
 static void assert_keys(const char *page, const char *keys)
 {
@@ -211,6 +233,10 @@ static void pages_hold_their_run(void **state)
                 "radius position material sensors bead striker magnetism wall run method end arrival step energyError "
                 "embeddedError eventError measures value uncertainty note peaks force open time_uncertainty signed data "
                 "displacement ");
+    static const char *const files[] = {"page.html", "report.css", "run.html", "data.js", "axes.js", "chain.js",
+                                        "chart.js",  "page.js",    "save.js",  "run.js",  "start.js"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        assert_filled(page, files[i]);
     const char *data = data_of(page), *peaks = after(data, "\"peaks\": {"), *force = after(peaks, "\"force\": "),
                *time = after(peaks, "\"time\": "), *every = after(data, "\"every\": "), *count = after(data, "\"count\": ");
     assert_true(next_number(&count) == 1201);
@@ -336,6 +362,10 @@ static void colours_of_sweeps_reach_their_ends(void **state)
     assert_keys(page,
                 " program title end times field name unit contacts range low high rest scale over under maps light dark panels "
                 "configurations cells places clean rows values indices images index magnetism spins data ");
+    static const char *const files[] = {"page.html", "report.css", "sweep.html", "data.js", "axes.js",
+                                        "chart.js",  "page.js",    "save.js",    "sweep.js"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        assert_filled(page, files[i]);
     const char *data = data_of(page);
     assert_facts(data);
     for (const char *at = data; (at = strstr(at, "\"data\": \"")) != NULL; images++) {
