@@ -27,6 +27,7 @@ import threading
 
 NO_TRUTH = ("bits", "test_golden")
 SANITIZED = ("CFLAGS=-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all", "STRICT_LINK=", "WERROR=")
+LITTLE_MEMORY = ("limits", "strangers")  # is too little for sanitizers
 SANITIZED_TESTS, SANITIZED_SCRIPTS = 4, 2  # that a fault meets once more
 ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
                  "test_truths")
@@ -266,7 +267,7 @@ class Tree:
             return ""
         order = self.in_order(fault, reached)
         programs = [t for t in order if self.is_program(t) and not self.has_own_allocator(t)]
-        scripts = [t for t in order if not self.is_program(t) and t not in self.long]
+        scripts = [t for t in order if not self.is_program(t) and t not in self.long and t not in LITTLE_MEMORY]
         for test in programs[:SANITIZED_TESTS] + scripts[:SANITIZED_SCRIPTS]:
             noticed = self.fails(test, reached, *SANITIZED)[0]
             if noticed:
