@@ -646,6 +646,52 @@ static void movers_are_named(void **)
     }
 }
 
+static void assert_as_new(cairo_t *cr, const char *what)
+{
+    cairo_matrix_t matrix;
+    double x, y, right, bottom;
+    cairo_get_matrix(cr, &matrix);
+    cairo_clip_extents(cr, &x, &y, &right, &bottom);
+    if (cairo_get_dash_count(cr) != 0 || matrix.xx != 1 || matrix.xy != 0 || matrix.x0 != 0 || matrix.y0 != 0 || x != 0 || y != 0 ||
+        right != WIDTH || bottom != HEIGHT)
+        fail_msg("after %s the next line would have %d dashes, or another place", what, cairo_get_dash_count(cr));
+}
+
+/* What is drawn first leaves no dashes, transformations or clips to what follows. */
+static void parts_leave_nothing_behind(void **state)
+{
+    (void)state;
+    static const char chains[] =
+        "chains:\n  - {name: A, striker: {velocity: 1 m/s}, beads: [{cell: [ptfe, glass], count: 9, spins: up}], wall: brass}\n"
+        "  - {name: B, striker: {velocity: 1 m/s}, beads: [{bead: large-steel, count: 18}]}\n";
+    static const char *const outputs[] = {"views: [stage, profile, spacetime]",
+                                          "views: [beads, profile]",
+                                          "layout: overlay",
+                                          "views: [spacetime], layout: columns",
+                                          "inset: cell",
+                                          "theme: light, follow: front"};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        struct film f;
+        struct bead_message msg = {""};
+        open_film(&f, chains, outputs[i]);
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+        cairo_t *cr = cairo_create(surface);
+        for (size_t c = 0; c < 2; c++)
+            bead_composer_draw_names(f.composer, c, cr);
+        assert_as_new(cr, "names");
+        bead_composer_draw_key(f.composer, cr);
+        assert_as_new(cr, "the key");
+        bead_overlay_draw_bar(f.composer, cr);
+        assert_as_new(cr, "the bar");
+        if (f.composer->layout.inset.width > 0)
+            require(bead_inset_draw(f.composer, cr, &msg), &msg);
+        assert_as_new(cr, "the inset");
+        cairo_destroy(cr);
+        cairo_surface_destroy(surface);
+        close_film(&f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -658,6 +704,7 @@ int main(void)
         cmocka_unit_test(rooms_are_as_large_as_words),
         cmocka_unit_test(films_want_what_their_chains_do),
         cmocka_unit_test(headings_are_as_wide_as_measured),
+        cmocka_unit_test(parts_leave_nothing_behind),
         cmocka_unit_test(cards_say_what_is_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
