@@ -126,7 +126,7 @@ static double last_force(const struct bead_stepper *s, double energy, bool meeti
     const size_t last = c->contacts - 1;
     const double compression = c->law->energy_compression(c->stiffness[last], s->table.law, energy),
                  force = c->law->force(c->stiffness[last], s->table.law, compression);
-    if (!meeting || !(s->table.damping > 0))
+    if (!meeting)
         return force;
     const double weight = c->inverse_mass[last] + (last + 1 < c->beads ? c->inverse_mass[last + 1] : 0);
     return force + bead_damping_force(&s->table, compression, sqrt(2 * energy * weight));
