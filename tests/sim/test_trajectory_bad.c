@@ -295,16 +295,42 @@ static void scene_elsewhere(hid_t file)
     drop(file, "/parameters/beadreel/scene");
     H5Lcreate_external("run.h5", "/parameters/beadreel/scene", file, "/parameters/beadreel/scene", H5P_DEFAULT, H5P_DEFAULT);
 }
-static void raw_data_elsewhere(hid_t file)
+/* Times in a layout of another kind, which is closed. */
+static void store_times(hid_t file, hid_t layout)
 {
+    hid_t space = H5Screate_simple(1, (hsize_t[]){300}, NULL);
     drop(file, "/time");
-    hid_t layout = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(1, (hsize_t[]){300}, NULL);
-    H5Pset_external(layout, "/etc/passwd", 0, 2400);
     hid_t dataset = H5Dcreate2(file, "/time", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
     assert_true(dataset >= 0);
     H5Dclose(dataset);
     H5Sclose(space);
     H5Pclose(layout);
+}
+static void raw_data_elsewhere(hid_t file)
+{
+    hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(layout, "/etc/passwd", 0, 2400);
+    store_times(file, layout);
+}
+static void virtual_data(hid_t file)
+{
+    hid_t layout = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(1, (hsize_t[]){300}, NULL);
+    H5Pset_virtual(layout, space, "run.h5", "/time", space);
+    H5Sclose(space);
+    store_times(file, layout);
+}
+static void data_in_the_header(hid_t file)
+{
+    hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_layout(layout, H5D_COMPACT);
+    store_times(file, layout);
+}
+static void filtered_data(hid_t file)
+{
+    hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(layout, 1, (hsize_t[]){300});
+    H5Pset_shuffle(layout);
+    store_times(file, layout);
 }
 static void outcome_of_one(hid_t file)
 {
@@ -353,6 +379,9 @@ static void one_thing_wrong(void **state)
         {scene_is_two_texts, "scene must be a text"},
         {scene_elsewhere, "no /parameters/beadreel/scene"},
         {raw_data_elsewhere, "another file"},
+        {virtual_data, "another file"},
+        {data_in_the_header, "compressed, filtered or stored in a way"},
+        {filtered_data, "compressed, filtered or stored in a way"},
         {outcome_of_one, "outcome/end must have 2 values"},
         {uncertainty_below_zero, "an uncertainty that is negative"},
         {uncertainty_of_one, "uncertainty/velocity must have 2 values"},
