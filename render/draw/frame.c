@@ -118,12 +118,18 @@ cairo_t *bead_raster_begin(const struct bead_frame *frame)
     return cr;
 }
 
+enum bead_error bead_raster_status(cairo_t *cr, const char *what, struct bead_message *msg)
+{
+    const cairo_status_t status = cairo_status(cr);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s: %s", what, cairo_status_to_string(status)) : BEAD_OK;
+}
+
 enum bead_error bead_raster_end(cairo_t *cr, const char *what, struct bead_message *msg)
 {
-    cairo_status_t status = cairo_status(cr);
+    const enum bead_error err = bead_raster_status(cr, what, msg);
     cairo_surface_flush(cairo_get_target(cr));
     cairo_destroy(cr);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s: %s", what, cairo_status_to_string(status)) : BEAD_OK;
+    return err;
 }
 
 enum bead_error bead_raster_draw(const struct bead_frame *frame, bead_draw draw, void *context, struct bead_message *msg)

@@ -12,7 +12,9 @@
 cairo_surface_t *bead_raster_surface(const struct bead_frame *frame);
 /* The frame's pixels must outlive the context. */
 cairo_t *bead_raster_begin(const struct bead_frame *frame);
-/* Destroys the context; everything drawn is in the frame. Errors: GRAPHICS if something was not drawn; `what` names it. */
+/* Was everything drawn? `what` names it. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_raster_status(cairo_t *cr, const char *what, struct bead_message *msg);
+/* The same, and destroys the context; everything drawn is in the frame. */
 BEAD_CHECK enum bead_error bead_raster_end(cairo_t *cr, const char *what, struct bead_message *msg);
 /* Errors: those of `draw`, GRAPHICS. */
 BEAD_CHECK enum bead_error bead_raster_draw(const struct bead_frame *frame, bead_draw draw, void *context,

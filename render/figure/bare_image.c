@@ -6,7 +6,7 @@
 
 #include "render/colour/colour_range.h"
 #include "render/draw/raster.h"
-#include "render/encode/page.h"
+#include "render/figure/figure.h"
 #include "render/view/area.h"
 #include "render/view/tale.h"
 #include "sim/base/memory.h"
@@ -46,12 +46,6 @@ static bool time_down(const struct bead_still *b)
     return bead_orientation_of(b->output) == BEAD_TIME_DOWN;
 }
 
-static size_t count_of(const struct bead_still *b, size_t chain)
-{
-    const struct bead_chain *c = b->context.chains[chain];
-    return bead_field_info(b->output->shown.field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
-}
-
 static enum bead_error make_areas(struct bead_still *b, const double time[2], struct bead_message *msg)
 {
     size_t chains = b->context.chain_count;
@@ -63,11 +57,8 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
         return bead_output_wrong(b->output, msg, "size: fewer rows (or columns) of pixels than chains");
     b->beads = (struct bead_span){b->output->shown.beads.first, 0};
     for (size_t c = 0; c < chains; c++) {
-        struct bead_area_setup setup = {b->output->shown.beads, {time[0], time[1]}, 0, b->columns, b->output->image.sampling};
-        size_t count = count_of(b, c);
-        setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
-        if (setup.beads.first > setup.beads.last)
-            return bead_output_wrong(b->output, msg, "beads: begin beyond the end of the chain");
+        struct bead_area_setup setup = {.time = {time[0], time[1]}, .columns = b->columns, .sampling = b->output->image.sampling};
+        BEAD_TRY(bead_figure_span(b->output, b->context.chains[c], &setup.beads, msg));
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
         b->tops[c + 1] = (int)((long long)b->across * (long long)(c + 1) / (long long)chains);
         setup.places = b->tops[c + 1] - b->tops[c];
@@ -81,12 +72,9 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
 {
     b->output = output;
     b->context = *context;
-    double end = b->context.end;
-    const double time[2] = {isnan(output->shown.time[0]) ? 0 : output->shown.time[0],
-                            isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end)};
+    double time[2];
     BEAD_TRY(bead_page_find(output, &b->page, msg));
-    if (!(time[1] > time[0]) || !isfinite(time[1]))
-        return bead_output_wrong(b->output, msg, "time: there is nothing to show; the run ends before");
+    BEAD_TRY(bead_picture_times(output, &b->context, time, msg));
     BEAD_TRY(bead_colour_range_check(output, msg));
     BEAD_TRY(bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, false, &b->map, msg));
     BEAD_TRY(make_areas(b, time, msg));

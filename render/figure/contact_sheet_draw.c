@@ -253,16 +253,14 @@ enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_messa
 {
     const struct contact_sheet *s = context;
     const struct bead_field_info *field = bead_field_info(s->output->shown.field);
-    enum bead_error err = BEAD_OK;
     bead_look_paint(&s->look, cr);
     contact_sheet_intro(s, cr, s->intro.width);
     draw_row_names(s, cr);
-    for (size_t i = 0; i < s->image_count && !err; i++) {
-        err = draw_picture(s, cr, &s->images[i], msg);
+    for (size_t i = 0; i < s->image_count; i++) {
+        BEAD_TRY(draw_picture(s, cr, &s->images[i], msg));
         draw_spins(s, cr, &s->images[i]);
         sheet_draw_words(s, cr, i);
     }
     bead_colour_bar_draw(cr, &s->look, &s->colours, field->unit, field->title, s->bar, s->range.over, s->range.under);
-    cairo_status_t status = cairo_status(cr);
-    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_status(cr, "sheet", msg);
 }

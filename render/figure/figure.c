@@ -38,11 +38,11 @@ void bead_figure_destroy(struct bead_figure *f)
     free(f);
 }
 
-static enum bead_error figure_find_span(const struct bead_figure *f, size_t chain, struct bead_span *span, struct bead_message *msg)
+enum bead_error bead_figure_span(const struct bead_output *output, const struct bead_chain *chain, struct bead_span *span,
+                                 struct bead_message *msg)
 {
-    const struct bead_output *output = f->output;
     bool contacts = bead_field_info(output->shown.field)->of_contacts;
-    size_t count = contacts ? bead_chain_contacts(f->context.chains[chain]) : bead_chain_beads(f->context.chains[chain]);
+    size_t count = contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
     *span = output->shown.beads;
     span->last = span->last < count ? span->last : count - 1;
     if (span->first > span->last)
@@ -109,7 +109,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
             .fine = true,
             .theory = f->output->shown.theory,
             .trust = f->output->shown.trust};
-        BEAD_TRY(figure_find_span(f, cell->chain, &panel->setup.beads, msg));
+        BEAD_TRY(bead_figure_span(f->output, panel->setup.chain, &panel->setup.beads, msg));
     }
     reach_beyond(f, cell);
     f->coloured = bead_views_any(views, BEAD_SHOWS_COLOURS);

@@ -69,6 +69,9 @@ struct bead_figure {
     char why[96];
 };
 
+/* The beads, or contacts, of a chain that an output shows. Errors: SCENE (the chain ends before). */
+BEAD_CHECK enum bead_error bead_figure_span(const struct bead_output *output, const struct bead_chain *chain,
+                                            struct bead_span *span, struct bead_message *msg);
 /* True if views of one moment are laid out by their beads: see struct bead_sink_type. */
 bool bead_figure_looks_at_beads(const struct bead_output *output);
 /* `settings`: of a panel; NULL: the figure has the whole page. Must be destroyed even after an error. Errors: SCENE (with the

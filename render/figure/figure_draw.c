@@ -2,6 +2,7 @@
 /* Draws everything in a figure except its views: headings, title and time, the colour bar. */
 
 #include "render/draw/markup.h"
+#include "render/draw/raster.h"
 #include "render/draw/words.h"
 #include "render/figure/figure.h"
 #include "render/stage/panel.h"
@@ -261,17 +262,15 @@ static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 
 enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     bead_figure_line(f, cr);
-    for (size_t c = 0; !err && c < f->cell_count; c++) {
+    for (size_t c = 0; c < f->cell_count; c++) {
         bead_figure_heading(f, &f->cells[c], cr);
         if (f->cells[c].trust.height > 0)
             draw_trust(f, &f->cells[c], cr);
-        for (size_t v = 0; !err && v < f->view_count; v++)
-            err = f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg);
+        for (size_t v = 0; v < f->view_count; v++)
+            BEAD_TRY(f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg));
     }
     if (f->bar.width > 0)
         figure_draw_bar(f, cr);
-    cairo_status_t status = cairo_status(cr);
-    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_status(cr, "figure", msg);
 }

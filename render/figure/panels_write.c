@@ -77,7 +77,6 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
 static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_still *s = context;
-    enum bead_error err = BEAD_OK;
     bead_look_paint(&s->look, cr);
     graph_page_draw(&s->words, &s->look, cr, s->panels[0].area.x + s->panels[0].insets.left);
     int terseness = 0; /* all headings are as short as the one with the least room */
@@ -89,12 +88,11 @@ static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_m
         if (s->panels[p].figure)
             s->panels[p].figure->set.terseness = terseness;
     }
-    for (size_t p = 0; !err && p < s->count; p++) {
+    for (size_t p = 0; p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
-        err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);
+        BEAD_TRY(panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg));
     }
-    cairo_status_t status = cairo_status(cr);
-    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_status(cr, "figure", msg);
 }
 
 static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)

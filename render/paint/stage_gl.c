@@ -125,9 +125,7 @@ static enum bead_error upload_floor(struct bead_stage_painter *p, const struct b
     if (p->ground_size[0] != s->grid_width || p->ground_size[1] != s->height) {
         free(p->light);
         p->light = NULL;
-        enum bead_error err = bead_new(&p->light, numbers_of_all, msg, "a floor");
-        if (err)
-            return err;
+        BEAD_TRY(bead_new(&p->light, numbers_of_all, msg, "a floor"));
         if (p->ground)
             glDeleteTextures(1, &p->ground);
         glActiveTexture(GL_TEXTURE0 + GROUND);

@@ -107,13 +107,11 @@ static void write_header(struct bead_sink *sink)
 
 static enum bead_error table_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
-    enum bead_error error = sink->table->begin ? sink->table->begin(sink, msg) : BEAD_OK;
-    if (!error && sink->check && sink->table->begin)
-        error = sink->table->begin(sink->check, msg);
-    if (!error)
-        error = bead_file_create(sink->part, &sink->file, msg);
-    if (error)
-        return error;
+    if (sink->table->begin)
+        BEAD_TRY(sink->table->begin(sink, msg));
+    if (sink->check && sink->table->begin)
+        BEAD_TRY(sink->table->begin(sink->check, msg));
+    BEAD_TRY(bead_file_create(sink->part, &sink->file, msg));
     sink->open = true;
     write_header(sink);
     return BEAD_OK;
@@ -134,8 +132,7 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
     if (!error && sample->index % samples_each(sink) == 0)
         error = sink->table->sample(sink, sample, msg);
     uselocale(before);
-    if (error)
-        return error;
+    BEAD_TRY(error);
     return ferror(sink->file) ? bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written", sink->part) : BEAD_OK;
 }
 
@@ -146,13 +143,10 @@ static enum bead_error table_end(struct bead_sink *sink, const struct bead_outco
         sink->table->end(sink, outcomes);
     enum bead_error error = sink->table->finish ? sink->table->finish(sink, msg) : BEAD_OK;
     uselocale(before);
-    if (error)
-        return error;
+    BEAD_TRY(error);
     FILE *file = sink->file;
     sink->file = NULL;
-    error = bead_file_close(file, sink->part, msg);
-    if (error)
-        return error;
+    BEAD_TRY(bead_file_close(file, sink->part, msg));
     sink->finished = true; /* a failing commit removes the part itself */
     return bead_file_commit(sink->part, sink->path, msg);
 }

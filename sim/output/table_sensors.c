@@ -74,15 +74,14 @@ const struct table bead_table_sensors = {.why = "curves of sensors, or of the be
 static enum bead_error modes_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     char text[40];
-    enum bead_error error = BEAD_OK;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
-        for (size_t k = 1; k <= sink->output->curves.modes && !error; k++) {
+        for (size_t k = 1; k <= sink->output->curves.modes; k++) {
             snprintf(text, sizeof text, "mode_%zu", k);
-            error = bead_table_add_column(sink, c, 0, text, msg);
+            BEAD_TRY(bead_table_add_column(sink, c, 0, text, msg));
         }
     }
     snprintf(text, sizeof text, "energies of %zu modes", sink->output->curves.modes);
-    return error ? error : bead_table_choose_times(sink, text, msg);
+    return bead_table_choose_times(sink, text, msg);
 }
 
 static void modes_needs(const struct bead_sink *sink, struct bead_needs *needs)

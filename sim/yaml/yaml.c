@@ -126,9 +126,7 @@ static enum bead_error place_node(struct builder *b, struct bead_node *node, yam
     }
     struct bead_node *parent = b->open[b->depth - 1];
     if (parent->kind == BEAD_NODE_MAP && parent->count % 2 == 0) {
-        enum bead_error err = check_key(b, parent, node, mark);
-        if (err)
-            return err;
+        BEAD_TRY(check_key(b, parent, node, mark));
     }
     return bead_yaml_append(b->yaml, parent, node) ? BEAD_OK : out_of_memory(b);
 }
