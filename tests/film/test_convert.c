@@ -341,6 +341,54 @@ static void tones_are_parted_along_the_widest_channel(void **state)
     }
 }
 
+/* Squares about the means of tones first..end-1, by their values. */
+static double spread(const struct bead_tone *tones, size_t first, size_t end)
+{
+    double weight = 0, mean = 0, sum = 0;
+    for (size_t i = first; i < end; i++)
+        weight += tones[i].count, mean += (double)tones[i].count * tones[i].colour;
+    for (size_t i = first; i < end; i++)
+        sum += tones[i].count * pow(tones[i].colour - mean / weight, 2);
+    return sum;
+}
+
+static uint32_t most_frequent(const struct bead_tone *tones, size_t first, size_t end)
+{
+    size_t most = first;
+    for (size_t i = first; i < end; i++)
+        most = tones[i].count > tones[most].count ? i : most;
+    return tones[most].colour;
+}
+
+/* Of all ways to part a few tones in two, the one with the least squares, found by trying all. */
+static void tones_are_parted_where_it_is_best(void **state)
+{
+    (void)state;
+    enum { TONES = 6 };
+    uint32_t random = 1;
+    for (int k = 0; k < 300; k++) {
+        struct bead_tone tones[TONES];
+        uint32_t value = 0, chosen[2];
+        double least = INFINITY, second = INFINITY;
+        size_t best = 0;
+        for (size_t i = 0; i < TONES; i++) { /* no two are equally frequent */
+            random = random * 1664525u + 1013904223u;
+            value += 1 + (random >> 29);
+            tones[i] = (struct bead_tone){value, 1 + (uint32_t)i + TONES * (random >> 24 & 3)};
+        }
+        for (size_t cut = 1; cut < TONES; cut++) {
+            const double sum = spread(tones, 0, cut) + spread(tones, cut, TONES);
+            best = sum < least ? cut : best;
+            second = sum < least ? least : fmin(second, sum);
+            least = fmin(least, sum);
+        }
+        const uint32_t low = most_frequent(tones, 0, best), high = most_frequent(tones, best, TONES);
+        assert_int_equal(bead_palette_cut(tones, TONES, 2, chosen), 2);
+        if (second - least > 1e-9 * second && (chosen[0] ^ chosen[1] ^ low ^ high || (chosen[0] != low && chosen[0] != high)))
+            fail_msg("case %d: %u and %u, not %u and %u", k, chosen[0], chosen[1], low, high);
+    }
+}
+
 static void chosen_colours_are_far_apart(void **state)
 {
     (void)state;
@@ -370,6 +418,7 @@ int main(void)
         cmocka_unit_test(palette_is_exact_for_few_colours),
         cmocka_unit_test(palette_is_close_for_many_colours),
         cmocka_unit_test(tones_are_parted_along_the_widest_channel),
+        cmocka_unit_test(tones_are_parted_where_it_is_best),
         cmocka_unit_test(chosen_colours_are_far_apart),
     };
     return cmocka_run_group_tests_name("convert", tests, NULL, NULL);
