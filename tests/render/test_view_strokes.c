@@ -200,6 +200,7 @@ static void sensors_have_their_curves(void **)
         for (size_t i = 0; i < first; i++) {
             const struct stroke *horizon = &strokes.list[i];
             assert_int_equal(horizon->count, 2);
+            assert_true(fabs(horizon->width - (i ? 1 : 3) * s.look.line) < 1e-9);
             assert_true(fabs(horizon->at[0].x - (LEFT + 0.6 * WIDTH)) <= 1 && horizon->low[1] == TOP && horizon->high[1] == BOTTOM);
             assert_true(s.type->horizon(s.view) == 1e-4 * 6);
         }
