@@ -221,7 +221,7 @@ static bool find_mark(struct bead_view *v)
                       ((double)v->setup.beads.last - (double)v->setup.beads.first + 1);
         mark[k] = (int)lround(v->places * fmin(1, fmax(0, part)));
     }
-    bool moved = mark[0] != v->mark[0] || mark[1] != v->mark[1];
+    bool moved = memcmp(mark, v->mark, sizeof mark) != 0;
     memcpy(v->mark, mark, sizeof mark);
     return moved;
 }
