@@ -78,7 +78,7 @@ static void join_grids(struct bead_still *s)
         all.count = grid->count;
         profiles = profiles || (s->panels[p].plot && s->panels[p].output->curves.show == BEAD_SHOW_PROFILES);
     }
-    if (profiles && grids > 1 && s->context.resolution > 0 && !(s->context.native.every > 0))
+    if (profiles && s->context.resolution > 0 && !(s->context.native.every > 0))
         all.every = fmin(all.every, s->context.resolution / 8);
     s->grid = all.end >= all.start ? all : (struct bead_grid){.every = 0};
     for (size_t p = 0; p < s->count; p++) {
