@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
+#include "beadreel/kinds.h"
+#include "beadreel/movie.h"
+#include "beadreel/render.h"
+#include "beadreel/sweep.h"
 #include "render/colour/colour_table.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"

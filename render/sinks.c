@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of everything that draws: one word for each kind of output. */
+#include <stddef.h>
 
 #include "beadreel/render.h"
 

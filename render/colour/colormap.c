@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colour maps: their list, their files, and the colour of a value. */
+#include "beadreel/render.h"
 
 #include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/colour/colour_table.h"
 #include "sim/base/assets.h"

@@ -3,6 +3,8 @@
 #include "render/colour/colour_range.h"
 #include "sim/chain/chain_internal.h"
 
+#include <math.h>
+
 /* A logarithmic scale without a given lower end begins at this part of the largest value. */
 static const double log_span = 1e-4;
 /* An event is left out if the typical values are below this part of it; the range then ends at this multiple of them. */

@@ -5,8 +5,11 @@
 #pragma once
 
 #include <math.h>
+#include <stdbool.h>
 
+#include "beadreel/chain.h"
 #include "beadreel/render.h"
+#include "beadreel/scene.h"
 
 struct bead_colour_range {
     double low, high;

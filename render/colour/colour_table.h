@@ -2,6 +2,9 @@
 /* Colours of many values at once, with the indices of bead_colours_index; and of animations. */
 #pragma once
 
+#include <stddef.h>
+#include <stdint.h>
+
 #include "beadreel/render.h"
 
 struct bead_colour_table {

@@ -2,6 +2,7 @@
 /* Palettes of animations: chooses the colours of all frames and turns their pixels into indices. Used for GIF files. */
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/colour/colour_table.h"
 #include "sim/base/memory.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws axes: line, ticks, labels and title, and measures their reach. Without a context it only measures, for layouts. */
 #include <math.h>
+#include <stdio.h>
 
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"

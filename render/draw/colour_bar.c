@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 /* In units of the label's font size and of the look's gap; movies leave more to the picture. */

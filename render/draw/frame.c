@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames: pixels in memory, copies of rectangles, their hash, the list of rectangles that changed; and cairo on their pixels. */
+#include "beadreel/render.h"
 
 #include <glib.h>
 #include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "sim/base/memory.h"
 

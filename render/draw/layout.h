@@ -9,6 +9,10 @@
  * again. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
 #include "beadreel/render.h"
 
 /* Distances from the borders of a box: left, top, right, bottom, px. */

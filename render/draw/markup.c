@@ -4,6 +4,10 @@
 
 #include <glib.h>
 #include <pango/pango.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/draw/axis.h"
 #include "sim/base/memory.h"

@@ -2,6 +2,11 @@
 /* Pictures: a finished frame into a PNG file, or a drawing into PDF and SVG. */
 #pragma once
 
+#include <cairo.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
 #include "beadreel/view.h"
 #include "sim/base/internal.h"
 #include "sim/base/settings.h"

@@ -4,8 +4,13 @@
 #include <glib.h>
 #include <png.h>
 #include <setjmp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <zlib.h>
 
+#include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

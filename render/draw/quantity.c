@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers with units as text: SI prefixes, signs, thousands. Axes, headings and messages are written with it. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/draw/axis.h"
 #include "render/draw/words.h"

@@ -6,6 +6,8 @@
  *   err = bead_raster_end(cr, "curves", &msg); */
 #pragma once
 
+#include "beadreel/error.h"
+#include "beadreel/view.h"
 #include "render/draw/picture.h"
 
 /* A surface of the frame's pixels, which must outlive it. */

@@ -7,9 +7,11 @@
 #include <ctype.h>
 #include <errno.h>
 #include <hb.h>
+#include <stdlib.h>
 #include <strings.h>
 #include <time.h>
 
+#include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "render/draw/vector.h"
 #include "render/origin/origin.h"

@@ -2,6 +2,9 @@
 /* Words of pictures: lines of text cut to the available room, names of chains and materials, numbers and units. */
 #pragma once
 
+#include <stddef.h>
+
+#include "beadreel/chain.h"
 #include "beadreel/view.h"
 
 /* From the baseline of a heading, of images and of plots, to the plot below it, in units of the label's font size. */

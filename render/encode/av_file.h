@@ -2,6 +2,10 @@
 /* Files of libav, read and written by descriptor: after the first time no name is looked up, and no link followed. */
 #pragma once
 
+#include <stdbool.h>
+
+#include "beadreel/error.h"
+#include "render/encode/libav.h"
 #include "render/encode/tracks.h"
 
 /* Open `part` like bead_file_open, and empty it. A failure leaves no new file. Errors: IO. */

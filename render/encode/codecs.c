@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of codecs: the container of each movie format, and the encoder and options of each quality. */
+#include "render/encode/movie_private.h"
 
 #include "render/draw/picture.h"
+#include "render/encode/libav.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"
 

@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include "render/encode/av_file.h"
+#include "render/encode/libav.h"
+#include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
+#include "render/encode/tracks.h"
 #include "render/origin/origin.h"
 #include "sim/base/file.h"
 #include "sim/base/thread_pool.h"

@@ -3,6 +3,8 @@
  * frames. */
 #include "render/encode/av_file.h"
 
+#include <string.h>
+
 #include "render/colour/colour_table.h"
 
 enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* units: players slow shorter delays down */ };

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and codecs.c. */
 
+#include <stdlib.h>
+
+#include "render/encode/libav.h"
+#include "render/encode/movie_private.h"
 #include "render/encode/tracks.h"
 #include "render/origin/origin.h"
 #include "sim/base/file.h"

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <libavutil/pixfmt.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
 
 #include "render/encode/movie_internal.h"
 

@@ -2,6 +2,9 @@
 /* Pages: size and look of a still, from its output's settings and file name. */
 #pragma once
 
+#include <stdbool.h>
+
+#include "beadreel/scene.h"
 #include "render/draw/axis.h"
 #include "render/draw/picture.h"
 

@@ -4,7 +4,10 @@
 
 #include <libavutil/frame.h>
 #include <libavutil/pixfmt.h>
+#include <stdbool.h>
+#include <stddef.h>
 
+#include "beadreel/render.h"
 #include "render/encode/libav.h"
 
 /* Converts changed rectangles of a frame into a picture of libav, in the pixel format of the encoder. */

@@ -3,6 +3,7 @@
 #include "render/encode/tracks.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

@@ -3,6 +3,8 @@
  * packets are complete before the finished file is written. */
 #pragma once
 
+#include <stddef.h>
+
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 

@@ -4,6 +4,12 @@
  * size, and its palette is the colour map. */
 #include "render/figure/still.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/raster.h"
 #include "render/figure/figure.h"

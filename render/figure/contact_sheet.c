@@ -3,6 +3,9 @@
  * their pictures, and draws. */
 #include "render/figure/contact_sheet.h"
 
+#include <math.h>
+#include <stdlib.h>
+
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 

@@ -3,7 +3,10 @@
  * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_draw.c (pictures and words). */
 #pragma once
 
+#include "beadreel/sweep.h"
+#include "beadreel/view.h"
 #include "render/colour/colour_range.h"
+#include "render/draw/axis.h"
 #include "render/encode/page.h"
 #include "render/view/area.h"
 #include "sim/sweep/sweep_internal.h"

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws a contact sheet: pictures, spins, numbers, and the bar of colours. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
@@ -8,6 +12,7 @@
 #include "render/figure/contact_sheet.h"
 #include "sim/base/memory.h"
 #include "sim/sweep/sweep_curves.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Contact sheets: the words that explain them, names of rows, and the colours of spins. */
 

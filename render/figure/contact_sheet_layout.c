@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the configurations of a contact sheet, and their places. */
+#include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/layout.h"
 #include "render/draw/words.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creates a figure and feeds it samples; figure_draw.c finishes it. */
+#include <stdlib.h>
 
 #include "render/figure/figure.h"
 #include "render/stage/along.h"

@@ -8,8 +8,14 @@
  * at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
 #pragma once
 
+#include <math.h>
+#include <stdbool.h>
+
+#include "beadreel/sink.h"
+#include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/layout.h"
+#include "render/draw/picture.h"
 #include "render/encode/page.h"
 #include "render/paint/canvas.h"
 

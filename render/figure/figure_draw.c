@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws a figure: headings, title and time, the colour bar; at the end, its views. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/raster.h"

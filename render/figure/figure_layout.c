@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a figure. Axes are measured by drawing them onto a recording surface; plots get the remaining room. */
+#include <math.h>
 #include <stdlib.h>
 
+#include "render/draw/layout.h"
 #include "render/figure/figure.h"
 #include "render/stage/along.h"
 #include "render/view/area.h"

@@ -3,6 +3,8 @@
  * are the first, images the last. */
 #include "render/figure/panels_private.h"
 
+#include <stdlib.h>
+
 #include "render/draw/markup.h"
 #include "render/draw/raster.h"
 #include "sim/base/memory.h"

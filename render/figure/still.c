@@ -2,6 +2,9 @@
 /* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that accepts it. */
 #include "render/figure/still.h"
 
+#include <stdlib.h>
+
+#include "render/encode/page.h"
 #include "render/plot/plot_data.h"
 #include "render/schematic/schematic.h"
 #include "sim/base/file.h"

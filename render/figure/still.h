@@ -2,6 +2,8 @@
 /* Stills: outputs of one picture, `image:` and `plot:`. still.c chooses the kind that draws an output. */
 #pragma once
 
+#include <stdbool.h>
+
 #include "beadreel/sink.h"
 
 struct bead_still; /* each kind's own */

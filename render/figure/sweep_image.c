@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Images of sweeps: mean, median or standard deviation of a field over all configurations, in space and time. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "beadreel/render.h"
 #include "render/figure/still.h"
 #include "sim/base/memory.h"
+#include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_internal.h"
 
 /* Samples along time; linear in between. */

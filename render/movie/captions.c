@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Captions of movies: timing, line breaks, drawing. The composer shows one at a time. */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"

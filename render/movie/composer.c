@@ -3,9 +3,14 @@
  * frame. */
 #include "render/movie/composer_private.h"
 
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/colour/colour_range.h"
 #include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/draw/words.h"
+#include "render/movie/film.h"
 #include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/panel.h"

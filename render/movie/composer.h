@@ -6,6 +6,9 @@
  */
 #pragma once
 
+#include "beadreel/chain.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 

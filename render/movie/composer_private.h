@@ -3,6 +3,9 @@
  * inset), movie_names.c (names of chains), movie_overlay.c (the parts over and around the views). */
 #pragma once
 
+#include <cairo.h>
+
+#include "render/movie/composer.h"
 #include "render/movie/movie_layout.h"
 #include "render/movie/movie_words.h"
 #include "render/paint/canvas.h"

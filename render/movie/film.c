@@ -3,6 +3,9 @@
  * poster. */
 #include "render/movie/film.h"
 
+#include <math.h>
+
+#include "render/colour/colour_range.h"
 #include "render/encode/page.h"
 #include "render/view/horizon.h"
 #include "sim/base/file.h"

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "beadreel/movie.h"
+#include "beadreel/sink.h"
+#include "beadreel/view.h"
 #include "render/movie/composer.h"
 #include "render/view/tale.h"
 

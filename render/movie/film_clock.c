@@ -2,6 +2,7 @@
 /* A film whose speed changes: pieces of motion between the times of its curve and the captions that make a pause. */
 #include "render/movie/film.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static int rising(const void *a, const void *b)

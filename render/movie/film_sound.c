@@ -8,6 +8,10 @@
 #include "render/movie/film.h"
 #include "sim/base/memory.h"
 
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
 enum { LOBES = 8, STEPS = 256 /* of the kernel's table, a lobe */, FADE = BEAD_SOUND_RATE / 100 };
 static const double loudest = 0.89; /* -1 dB, because encoders overshoot */
 static const double longest = 3600; /* s */

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One frame of a movie, as a PNG file. Views are fed and cameras move as for the film, but nothing else is drawn or encoded, and no
  * sample is taken beyond the frame. A frame chosen for its contents takes two runs: one finds it, the other draws it. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "render/movie/film.h"
 #include "sim/base/file.h"

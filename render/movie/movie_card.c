@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The title card: the subject of the film, and the chains at rest. */
+#include <math.h>
+#include <stdio.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"

@@ -3,6 +3,8 @@
  * their views. */
 #pragma once
 
+#include <math.h>
+
 #include "render/draw/layout.h"
 #include "render/movie/movie_layout.h"
 

@@ -3,6 +3,7 @@
  * turn until the cells fit; the arrangement that leaves out least wins. */
 #include "render/movie/movie_layout.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "render/movie/movie_cells.h"

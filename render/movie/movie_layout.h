@@ -9,6 +9,12 @@
  * too small for anything else. Rectangles never overlap and never leave the frame. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 #include "render/view/area.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parts of creating a composer: measures axes, words and captions before the layout; after it, makes the cameras of a movie that
  * follows the front (windows of one length) and the widths of their plots. */
+#include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/words.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names of chains in a movie: headings, over the tops of stages, preceded by the curve's line; names above images. */
+#include <math.h>
 
 #include "render/draw/looks.h"
 #include "render/movie/composer_private.h"

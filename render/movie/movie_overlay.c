@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Everything around the views: the colour bar and, updated after the views, the time, the line about the horizon and the
  * caption. */
+#include <math.h>
 
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"

@@ -3,7 +3,9 @@
  * their future. */
 #include "render/movie/film.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/view/area.h"
 #include "sim/kinds/output_kinds.h"

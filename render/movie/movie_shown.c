@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fields, beads and values of its chains that a film shows; and the interest of a frame, by which sinks choose the poster;
  * the picture in the picture. */
+#include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/looks.h"
 #include "render/movie/composer_private.h"

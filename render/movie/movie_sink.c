@@ -1,12 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies as outputs of scenes. Three threads work at the same time: the run delivers samples, a second thread draws frames from
  * copies of them, a third encodes the frames. Frames do not depend on which is faster. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "beadreel/movie.h"
 #include "render/draw/axis.h"
+#include "render/encode/movie_internal.h"
 #include "render/encode/movie_private.h"
 #include "render/movie/film.h"
 #include "render/movie/ring_buffer.h"
 #include "render/paint/canvas.h"
+#include "render/view/tale.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/stop.h"

@@ -2,6 +2,8 @@
 /* Places the parts of a stage: beads first, then the bar, images and curve in the rest. */
 #include "render/movie/movie_cells.h"
 
+#include <math.h>
+
 #include "render/stage/panel.h"
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */

@@ -2,6 +2,9 @@
 /* Chooses the times of frames and samples, by which the sinks count frames. */
 #include "render/movie/film.h"
 
+#include <math.h>
+#include <stdio.h>
+
 #include "render/encode/movie_private.h"
 #include "render/view/held.h"
 #include "sim/chain/chain_internal.h"

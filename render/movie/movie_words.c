@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of movies: clock, headings, facts. The composer puts them on the frame. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "render/draw/markup.h"

@@ -2,6 +2,12 @@
 /* The words of a movie's frame: time, facts, headings, captions, title card. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/scene.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 #include "render/movie/film.h"
 

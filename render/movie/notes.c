@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Notes on the stage, each pointing to its subject. The stage is repainted for each frame, which erases the notes. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
+#include "render/movie/film.h"
 #include "render/origin/origin.h"
 
 static const double type = 0.85, height = 1.4, pad = 0.5; /* of the label; of the type */

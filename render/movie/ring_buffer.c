@@ -2,6 +2,11 @@
 /* A ring of slots between two threads: one fills them, the other does the work. Movies are encoded in such a thread. */
 #include "render/movie/ring_buffer.h"
 
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 

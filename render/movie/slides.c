@@ -3,8 +3,11 @@
 #include "render/movie/film.h"
 
 #include <glib.h>
+#include <stdio.h>
+#include <string.h>
 #include <strings.h>
 
+#include "beadreel/sink.h"
 #include "render/draw/axis.h"
 #include "render/origin/origin.h"
 #include "sim/base/file.h"

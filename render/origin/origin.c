@@ -3,12 +3,15 @@
 #include "render/origin/origin_private.h"
 
 #include <errno.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/sandbox.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/yaml/yaml.h"
 
 struct format {
     const char *endings;

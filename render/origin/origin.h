@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "beadreel/api.h"
 #include "beadreel/error.h"
 
 #define BEAD_ORIGIN_HEAD "beadreel " BEADREEL_VERSION ", scene:\n"

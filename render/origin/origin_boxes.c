@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Texts in files of nested boxes: MP4, MOV and AVIF (ISO/IEC 14496-12), WebM and Matroska (RFC 8794). */
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/origin/origin_private.h"
 

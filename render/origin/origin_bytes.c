@@ -2,6 +2,8 @@
 /* Bytes of files: numbers, inserted blocks, and texts about how a file was made. */
 #include <ctype.h>
 #include <errno.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "render/origin/origin_private.h"

@@ -2,6 +2,7 @@
 /* Texts in files that are text themselves: XML, HTML, PDF and EPS. */
 #include <glib.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/origin/origin_private.h"
 

@@ -2,6 +2,7 @@
 /* Canvases: the table of back ends, and the choice of one. Views paint on a canvas through paint.c. */
 #include "render/paint/canvas.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "render/paint/canvas_private.h"

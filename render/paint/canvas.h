@@ -4,6 +4,9 @@
  * it. Only views that paint have one. */
 #pragma once
 
+#include <stddef.h>
+
+#include "beadreel/error.h"
 #include "beadreel/render.h"
 #include "sim/base/internal.h"
 

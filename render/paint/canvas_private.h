@@ -2,6 +2,8 @@
 /* The inside of a canvas: its back end, a const table, and the current painting. No GL headers here. */
 #pragma once
 
+#include "render/paint/canvas.h"
+#include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
 
 struct bead_painter;      /* of OpenGL */

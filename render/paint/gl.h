@@ -6,6 +6,7 @@
 #include <GL/glcorearb.h>
 #include <stddef.h>
 
+#include "beadreel/error.h"
 #include "render/paint/gl_context.h"
 
 /* Calls of OpenGL go through the table of the context that is current in the thread. */

@@ -2,6 +2,7 @@
 /* Makes an OpenGL context with EGL, without a surface: the same software renderer for Mesa 25.1 and later, which lack OSMesa. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <string.h>
 
 #include "render/paint/gl_context.h"
 

@@ -2,6 +2,8 @@
 /* Checks the arguments of painting functions; the back end of the canvas paints (paint_gl.c, and plain pixels below). */
 #include "render/paint/paint.h"
 
+#include <stdlib.h>
+
 #include "render/paint/canvas_private.h"
 #include "sim/base/memory.h"
 

@@ -4,6 +4,9 @@
  * The formulas for pixels are in assets/shaders; all back ends follow them. */
 #pragma once
 
+#include <stddef.h>
+#include <stdint.h>
+
 #include "render/paint/canvas.h"
 
 /* A sphere seen from the front, cut off at x = left and x = right (flattened by its neighbours). */

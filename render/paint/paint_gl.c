@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting with OpenGL: the shaders of assets/shaders draw into the canvas's framebuffer, which is read back. */
+#include <stdlib.h>
 
 #include "render/paint/canvas_private.h"
+#include "render/paint/gl.h"
 #include "render/paint/stage_gl.h"
 #include "sim/base/memory.h"
 

@@ -2,6 +2,10 @@
 /* Loops over pixels, compiled for each vector instruction set and chosen at run time. All give the same pixels. */
 #pragma once
 
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/render.h"
 #include "render/paint/paint.h"
 #include "render/paint/stage.h"
 

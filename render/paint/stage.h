@@ -9,6 +9,10 @@
  * assets/shaders/stage_*. Lengths in pixels, y downwards, unless said otherwise. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
 #include "beadreel/render.h"
 
 enum { BEAD_STAGE_CELL = 8, BEAD_STAGE_STEP = 4, BEAD_STAGE_PAD = 16, BEAD_STAGE_CHANNELS = 4 };

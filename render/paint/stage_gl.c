@@ -2,6 +2,7 @@
 #include "render/paint/stage_gl.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

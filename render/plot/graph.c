@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "render/draw/markup.h"
+#include "render/encode/page.h"
 #include "render/plot/graph_private.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"

@@ -10,6 +10,13 @@
  * render/draw/markup.h. */
 #pragma once
 
+#include <cairo.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values as colours in a plot's frame, and the bar beside it. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/raster.h"
 #include "render/plot/graph_private.h"

@@ -3,6 +3,7 @@
  * lines move to the legend; words and legends that do not fit in free room of the panels move outside; this repeats until
  * everything has a place. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/plot/graph_private.h"

@@ -2,6 +2,7 @@
 /* Small vibrations, a panel for each chain: frequency against wave number of the cells that it repeats, with the gaps shaded; or
  * how many beads take part in each of its modes, against their frequencies. They need no run. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"

@@ -2,6 +2,8 @@
 /* Plots: gathers their data from samples, by the functions of their kind, and makes panels of graphs. */
 #include "render/plot/plot_data.h"
 
+#include <stdlib.h>
+
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"

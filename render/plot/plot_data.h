@@ -3,6 +3,7 @@
  * in a panel for each chain; or peaks of contacts, all chains in one panel. */
 #pragma once
 
+#include "beadreel/sink.h"
 #include "render/plot/graph.h"
 
 struct bead_plot_data;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shared by the kinds of plots: panels, their headings, and distinguishable curves. */
 #include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"

@@ -7,6 +7,7 @@
 #include "sim/measure/recorded.h"
 #include "sim/measure/spectra.h"
 #include "sim/measure/spreading.h"
+#include "sim/statistics/statistics.h"
 
 /* Memory of a plot, which is freed with it. */
 struct plot_store {

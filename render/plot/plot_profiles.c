@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field along the chain at several times: a panel for each chain. */
 #include <math.h>
+#include <string.h>
 
 #include "render/draw/words.h"
 #include "render/plot/plot_private.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Force at sensors against time: a panel for each chain with sensors, all with one axis of forces. */
+#include <math.h>
 
 #include "render/draw/markup.h"
 #include "render/encode/page.h"

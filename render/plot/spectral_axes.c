@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Axes, colours and exact bands of spectra, of single runs and of sweeps. */
+#include <math.h>
 
 #include "render/plot/plot_private.h"
 #include "sim/base/wide.h"

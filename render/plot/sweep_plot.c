@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sweeps: peak force against magnetism, with its two regimes; or the decay of peaks along the chain. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/words.h"
 #include "render/plot/sweep_plot.h"

@@ -2,6 +2,7 @@
 /* Plots of sweeps: force against magnetism, and decay along the chain. */
 #pragma once
 
+#include "beadreel/sweep.h"
 #include "render/plot/plot_private.h"
 #include "sim/sweep/sweep_curves.h"
 

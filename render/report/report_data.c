@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contents of a run's page: its pictures as HTML, and all numbers as JSON. */
+#include <math.h>
 #include <strings.h>
 
 #include "render/draw/markup.h"

@@ -2,6 +2,8 @@
 /* State of the report of a run. */
 #pragma once
 
+#include "beadreel/render.h"
+#include "render/colour/colour_range.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "render/view/held.h"

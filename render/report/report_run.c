@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The life of a report: keeps as many samples as fit into a page of a few megabytes, and writes them at the end. */
+#include <math.h>
+#include <stdlib.h>
 
+#include "render/draw/axis.h"
 #include "render/encode/page.h"
 #include "render/report/report_private.h"
 #include "render/stage/along.h"

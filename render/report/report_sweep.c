@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reports of sweeps: force against magnetism, with the space-time image of each configuration behind its point. */
+#include <math.h>
+#include <stdlib.h>
 
+#include "beadreel/sweep.h"
+#include "render/colour/colour_range.h"
+#include "render/colour/colour_table.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "sim/base/memory.h"

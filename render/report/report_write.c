@@ -3,6 +3,8 @@
 #include "render/report/report_write.h"
 
 #include <locale.h>
+#include <math.h>
+#include <stdlib.h>
 
 #include "render/origin/origin.h"
 #include "sim/base/assets.h"

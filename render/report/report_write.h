@@ -2,6 +2,14 @@
 /* Text of a report: its page, made from a template, and pieces of HTML and JSON. */
 #pragma once
 
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+#include "beadreel/render.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
 #include "render/colour/colour_range.h"
 #include "sim/base/json.h"
 

@@ -3,6 +3,7 @@
  * the experiment (Fig. 4). */
 #pragma once
 
+#include "beadreel/sink.h"
 #include "render/encode/page.h"
 #include "render/schematic/schematic_sketch.h"
 

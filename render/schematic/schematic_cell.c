@@ -2,9 +2,14 @@
 /* The cells of a scene's chains (thesis, Fig. 3): N_1 beads of one material, N_2 of the next, ...; in both orientations if the
  * chain has both. */
 #include <math.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "render/schematic/schematic.h"
 #include "render/schematic/schematic_plan.h"
+#include "render/schematic/schematic_sketch.h"
 
 enum { MOST_CELLS = 16, MOST_GROUPS = 24, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
 /* A cell with more groups than this may get a single brace, with this many of its beads at each end. */

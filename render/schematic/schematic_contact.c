@@ -4,11 +4,13 @@
  * (2 R_i): Hertz's share of the compression (thesis, 2.1 and Fig. 2). */
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 
 #include "beadreel/law.h"
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/schematic/schematic.h"
+#include "render/schematic/schematic_sketch.h"
 
 /* In units of the label's font size: rows above and below the beads, and distances. */
 static const double names_row = 1.9, dimensions_row = 3.0, near = 0.95, right_angle = 0.4;

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the beads of a long chain that the drawing of the experiment shows, and its words, for the plan. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/schematic/schematic_plan.h"
+#include "render/schematic/schematic_sketch.h"
 
 /* Spins of up to this many cells are written out. */
 enum { MOST_DIGITS = 12 };

@@ -4,6 +4,7 @@
 #include "render/schematic/schematic_plan.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/words.h"
 #include "sim/base/memory.h"

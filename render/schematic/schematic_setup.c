@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the experiment (thesis, Fig. 4) as planned: striker on its ramp, guide, beads to scale, sensors, wall. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/schematic/schematic_plan.h"
+#include "render/schematic/schematic_sketch.h"
 #include "sim/base/memory.h"
 
 enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };

@@ -3,6 +3,7 @@
 #include "render/schematic/schematic_sketch.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"

@@ -3,6 +3,10 @@
  * downwards. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/scene.h"
 #include "render/draw/axis.h"
 
 struct bead_box {

@@ -3,6 +3,7 @@
  * of unlike radii are drawn above or below: then each is as wide there as on the plot, and every number is under its bead. */
 #pragma once
 
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 /* Would beads drawn over equally wide places be more than half a radius away from theirs, with the narrowest at least two pixels

@@ -2,6 +2,7 @@
 /* The beads view's own state: the row of all beads, and the lens that follows the front. */
 #pragma once
 
+#include "beadreel/view.h"
 #include "render/paint/paint.h"
 #include "render/stage/along.h"
 #include "render/stage/camera.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state of the beads at one time: positions, colours, loads, place of the lens. First step of every draw of the beads view. */
+#include <math.h>
 
 #include "render/colour/colour_table.h"
 #include "render/stage/beads.h"

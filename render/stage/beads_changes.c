@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the parts of the row and the lens that must be painted again. If the lens moves by whole pixels, beads at rest only change
  * their places: they are moved in the frame, at a tenth of the cost of painting. */
+#include <math.h>
+#include <string.h>
 
 #include "render/stage/beads.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Turns positions and colours into balls and marks for the canvas to paint. Second step of every draw of the beads view. */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/stage/beads.h"
 

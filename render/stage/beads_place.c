@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the row of beads and the lens, and draws names, wall and the lens's frame around them once for each picture. */
+#include <math.h>
+#include <stdio.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/words.h"
+#include "render/stage/along.h"
 #include "render/stage/beads.h"
 #include "render/stage/panel.h"
 #include "sim/chain/chain_internal.h"

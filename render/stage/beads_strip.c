@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of beads too small to be drawn: each column of pixels shows the exact mean of the field over its beads, as a colour over the
  * materials' colours, and the background in their gaps. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/stage/beads.h"
 #include "sim/base/memory.h"

@@ -2,6 +2,7 @@
 /* Finds the front, smooths its motion and moves a chain's window with it. */
 #include "render/stage/camera.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "render/stage/along.h"

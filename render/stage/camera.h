@@ -5,7 +5,10 @@
  * the front's own speed, and comes to rest at the end of the chain. It never moves back. Every chain has its own camera. */
 #pragma once
 
+#include <stdbool.h>
+
 #include "beadreel/chain.h"
+#include "beadreel/sample.h"
 
 /* ---- following a front ---- */
 

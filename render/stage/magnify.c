@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "beadreel/law.h"
 #include "sim/chain/chain_internal.h"
 
 /* In radii: the compression of the striker's hit as drawn, and the limit for any contact whose neighbours meet as fast. */

@@ -3,6 +3,7 @@
 #include "render/stage/along.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

@@ -2,6 +2,9 @@
 /* The panel behind a plot of a movie, which extends beyond it in views of beads, and the axes at its sides. */
 #pragma once
 
+#include <string.h>
+
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 /* "force" for "bead force", in pictures that name the beads elsewhere. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Composes the stage at one time: the places of its beads, the light at their contacts, and the row of all beads. */
+#include <math.h>
 
 #include "render/stage/stage_view.h"
 #include "sim/chain/chain_internal.h"

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The key in the headroom of the stage: materials in their colours, and a scale for the light. */
+#include <math.h>
+#include <stdio.h>
 
 #include "beadreel/law.h"
+#include "render/draw/axis.h"
 #include "render/stage/along.h"
 #include "render/stage/panel.h"
 #include "render/stage/stage_view.h"

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Texts below the stage: sensors, numbers of beads, the wall; and rings around beads with a sensor in the row of all. */
+#include <math.h>
+#include <stdio.h>
 
 #include "render/draw/words.h"
 #include "render/stage/panel.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the stage and the row of all beads in the view's rectangle, and draws the parts that never change. */
+#include <math.h>
 
 #include "render/stage/panel.h"
 #include "render/stage/stage_view.h"

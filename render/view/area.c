@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Areas: add each sample to sums of pixels, and read columns back. Used by the space-time view, bare images and contact sheets. */
+#include <math.h>
+#include <stdlib.h>
 
-#include "render/view/area.h"
 #include "render/colour/colour_range.h"
+#include "render/view/area.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 

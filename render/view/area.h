@@ -8,7 +8,13 @@
 #pragma once
 
 #include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
 #include "render/colour/colour_table.h"
 
 struct bead_area;

@@ -2,6 +2,8 @@
 #include "render/view/held.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"

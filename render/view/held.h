@@ -6,6 +6,7 @@
 #pragma once
 
 #include "beadreel/chain.h"
+#include "beadreel/sample.h"
 
 struct bead_held;
 

@@ -6,6 +6,8 @@
 #include "sim/base/memory.h"
 
 #include <limits.h>
+#include <math.h>
+#include <stdlib.h>
 
 /* In widths of axis lines: the line itself, and its dark edges that make it visible on bright colours. */
 static const double core = 1, seam = 3;

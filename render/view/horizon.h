@@ -7,6 +7,12 @@
  * of the chain on both sides): no pixel before the line differs by more. */
 #pragma once
 
+#include <cairo.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sink.h"
 #include "render/draw/axis.h"
 #include "render/view/area.h"
 

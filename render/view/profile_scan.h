@@ -3,6 +3,9 @@
  * parts can be redrawn alone. */
 #pragma once
 
+#include <stddef.h>
+
+#include "beadreel/view.h"
 #include "render/draw/looks.h"
 
 struct bead_curve {

@@ -3,6 +3,7 @@
 #include "render/view/sensor_curves.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 

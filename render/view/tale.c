@@ -4,6 +4,8 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "render/draw/axis.h"
 #include "render/draw/words.h"

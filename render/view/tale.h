@@ -4,6 +4,9 @@
 #pragma once
 
 #include "beadreel/chain.h"
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
 
 struct bead_tale;
 

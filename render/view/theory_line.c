@@ -2,6 +2,10 @@
 /* The front predicted by theory: see horizon.h. */
 #include "render/view/horizon.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
 #include "render/draw/words.h"
 #include "render/stage/along.h"
 #include "sim/base/memory.h"

@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: the chain's beads as spheres. If they are small, a lens below the row shows those at the front. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/paint/canvas_private.h"
+#include "render/paint/pixel_kernels.h"
+#include "render/stage/along.h"
 #include "render/stage/beads.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"

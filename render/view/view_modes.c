@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: energies of the linear modes of an equation, a bar for each. */
+#include <math.h>
+#include <stdlib.h>
 
+#include "render/draw/axis.h"
 #include "render/draw/raster.h"
 #include "render/stage/latest.h"
 #include "render/stage/panel.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: the field along the chain, as a smooth line over a filled area, with dots at the beads if they fit. The view of one chain
  * can also draw other chains' curves, on one axis. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/stage/along.h"
 #include "render/stage/camera.h"

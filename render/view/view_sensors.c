@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensors: the force at each over time, in one plot with the names at the curves. */
+#include <math.h>
+#include <stdlib.h>
 
 #include "render/draw/raster.h"
 #include "render/stage/panel.h"

@@ -2,11 +2,15 @@
 /* View: space-time image in the setup's orientation. Every pixel is the exact mean of the field over its piece of chain and time.
  * With `fill`, only times up to the present are shown, with a line there. */
 #include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/draw/raster.h"
 #include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/panel.h"
+#include "render/view/area.h"
 #include "render/view/horizon.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: beads as actors. Large beads in their materials' colours on a floor, with light at each contact for its force; a camera
  * follows the wave, and a row of all beads shows its place. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "render/stage/stage_view.h"
 #include "render/view/views.h"

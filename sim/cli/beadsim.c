@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* beadsim: computes what a scene asks for and writes its data: trajectories and tables. No graphics. */
+#include "beadreel/sweep.h"
 #include "sim/cli/command_line.h"
 
 static const struct command_list lists[] = {

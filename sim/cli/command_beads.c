@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beads of a chain by materials, and its contacts, for --info: how the scene was understood. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "beadreel/chain.h"
+#include "beadreel/law.h"
+#include "beadreel/scene.h"
 #include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/chain/contact_walk.h"

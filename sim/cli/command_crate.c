@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --crate: the run, its time, its program and its files, in a form that archives read: RO-Crate 1.1, profile Process Run Crate. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
+#include "beadreel/api.h"
+#include "beadreel/sink.h"
 #include "sim/base/file.h"
 #include "sim/base/json.h"
 #include "sim/base/memory.h"

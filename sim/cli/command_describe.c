@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --plan and --info as one JSON object, for programs. The man page documents the keys. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "beadreel/chain.h"
+#include "beadreel/scene.h"
+#include "beadreel/sweep.h"
 #include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
@@ -10,6 +15,7 @@
 #include "sim/cli/command_line.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 static void write_chain(struct bead_json *json, const struct bead_chain *chain)
 {

@@ -2,15 +2,26 @@
 /* --info: describes a scene, a trajectory or a sweep's file. --verify: is such a file whole? */
 #include "sim/cli/command_line.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
+#include "beadreel/chain.h"
+#include "beadreel/scene.h"
+#include "beadreel/sweep.h"
+#include "beadreel/trajectory.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/chain/system.h"
 #include "sim/chain/validity.h"
+#include "sim/hdf5/h5.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/kinds/scene_facts.h"
 #include "sim/measure/measure.h"
+#include "sim/sweep/sweep_internal.h"
 #include "sim/trajectory/trajectory_data.h"
 
 enum { MOST_STARTS = 8 };

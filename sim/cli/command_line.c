@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"

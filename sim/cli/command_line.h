@@ -4,8 +4,15 @@
 #pragma once
 
 #include <limits.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
 #include <time.h>
 
+#include "beadreel/error.h"
+#include "beadreel/session.h"
+#include "beadreel/sink.h"
 #include "beadreel/trajectory.h"
 #include "sim/base/library.h"
 #include "sim/scene/scene_internal.h"

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "beadreel/law.h"
+#include "beadreel/scene.h"
 #include "sim/base/json.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_internal.h"
@@ -12,6 +14,8 @@
 #include "sim/hdf5/h5.h"
 #include "sim/integrate/methods.h"
 #include "sim/measure/measure.h"
+#include "sim/scene/scene_internal.h"
+#include "sim/statistics/statistics.h"
 
 COMMAND_LISTS(command_list_scenes)
 {

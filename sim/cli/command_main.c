@@ -4,13 +4,18 @@
 
 #include <errno.h>
 #include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "beadreel/scene.h"
 #include "sim/base/memory.h"
 #include "sim/base/sandbox.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
 #include "sim/hdf5/h5.h"
 #include "sim/options/options.h"
+#include "sim/scene/scene_internal.h"
 
 /* The table of options in words: --help, man pages, completion of shells. */
 

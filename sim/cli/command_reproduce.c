@@ -3,17 +3,22 @@
 #include <dirent.h>
 #include <errno.h>
 #include <ftw.h>
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 #include <unistd.h>
 
+#include "beadreel/api.h"
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
 #include "sim/hdf5/h5.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
+#include "sim/yaml/yaml.h"
 
 static enum bead_error stopped(const volatile sig_atomic_t *stop, struct bead_message *msg)
 {

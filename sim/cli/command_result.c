@@ -5,9 +5,13 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "beadreel/chain.h"
+#include "beadreel/sweep.h"
 #include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/base/text.h"
@@ -253,7 +257,7 @@ static void on_fault(int number, siginfo_t *info, void *)
  * clusters that count them, threads share one heap. */
 static void save_addresses(void)
 {
-    struct rlimit addresses;
+    struct rlimit addresses = {.rlim_cur = RLIM_INFINITY};
     getrlimit(RLIMIT_AS, &addresses);
     if (addresses.rlim_cur != RLIM_INFINITY)
         (void)mallopt(M_ARENA_MAX, 1);
@@ -266,7 +270,7 @@ void command_take_room(void)
 {
     save_addresses();
     static const size_t usual = 8 << 20;
-    struct rlimit stack;
+    struct rlimit stack = {.rlim_cur = RLIM_INFINITY};
     pthread_attr_t attributes;
     getrlimit(RLIMIT_STACK, &stack);
     if (stack.rlim_cur >= usual)
@@ -284,7 +288,7 @@ void command_take_room(void)
 static void take_other_stack(void)
 {
     static char room[64 << 10];
-    stack_t before;
+    stack_t before = {.ss_flags = 0};
     sigaltstack(NULL, &before);
     if (before.ss_flags & SS_DISABLE)
         sigaltstack(&(stack_t){.ss_sp = room, .ss_size = sizeof room}, NULL);

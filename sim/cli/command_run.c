@@ -3,13 +3,20 @@
 #include "sim/cli/command_line.h"
 
 #include <inttypes.h>
+#include <limits.h>
 #include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
 
+#include "beadreel/chain.h"
+#include "beadreel/sweep.h"
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
 #include "sim/base/suggest.h"
 #include "sim/hdf5/h5.h"
 #include "sim/session/session_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {

@@ -2,6 +2,8 @@
 /* The JSON Schema of scenes (draft 7), from the tables that read them: with it editors complete keys and find mistakes. */
 #include "sim/cli/command_line.h"
 
+#include <string.h>
+
 #include "sim/base/json.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_private.h"

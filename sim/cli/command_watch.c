@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --watch: the scene again each time it is saved; --new: a scene to start from. */
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 
+#include "beadreel/scene.h"
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
 #include "sim/base/text.h"

@@ -6,6 +6,13 @@
  * depend on sample times: steps depend on the state only. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
 #include "beadreel/sink.h"
 #include "sim/chain/system.h"
 

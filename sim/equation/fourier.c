@@ -2,6 +2,7 @@
 /* Discrete Fourier transforms for spectral.c. */
 #include "sim/equation/fourier.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 

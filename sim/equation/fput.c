@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `fput`, a row of systems.c with the string of fput_string.h: modes, and the return of the first one. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
+#include "sim/equation/equation.h"
 #include "sim/equation/fput_string.h"
 
 /* Follows the energy of a mode: its smallest value, and its largest after it was below half of that at the start. */

@@ -2,6 +2,7 @@
 /* Finds when a spring of a piecewise linear string passes from one stiffness to the other. The stiffness jumps there, so no method
  * keeps its order over such a point, and steps end at it. */
 #include <float.h>
+#include <math.h>
 
 #include "sim/equation/fput_string.h"
 #include "sim/integrate/dense.h"

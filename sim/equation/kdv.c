@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `kdv`, a row of systems.c with the solver of kdv_solver.h: settings, integrals, recurrence and measures. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
+#include "sim/equation/equation.h"
 #include "sim/equation/kdv_solver.h"
 
 /* Conserved: the integrals of u, u^2 and drift u^2 / 2 + a u^3 / 6 - b u_x^2 / 2. */

@@ -7,6 +7,9 @@
  * fails. */
 #pragma once
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "sim/equation/equation.h"
 #include "sim/equation/spectral.h"
 

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `shock`: waves that steepen and break, by finite volumes and the Runge-Kutta method SSPRK(3,3) of C.-W. Shu and
  * S. Osher, J. Comput. Phys. 77, 439 (1988). */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
+#include "sim/equation/equation.h"
 #include "sim/equation/shock_law.h"
 #include "sim/equation/shock_watch.h"
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <math.h>
+#include <stddef.h>
 
 #include "beadreel/scene.h"
 

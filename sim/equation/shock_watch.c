@@ -2,6 +2,8 @@
 /* Watches a run of shock.c after every step: energy, variation, and the time at which the wave breaks. */
 #include "sim/equation/shock_watch.h"
 
+#include <math.h>
+
 #include "sim/base/elementary.h"
 #include "sim/equation/shock_law.h"
 

@@ -2,6 +2,9 @@
 /* Watches a run of the breaking wave: the time at which it breaks, gains of energy, and oscillations. */
 #pragma once
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "sim/equation/equation.h"
 
 /* One state: means over the cells. */

@@ -2,6 +2,9 @@
 /* Functions on a ring as Fourier series, for derivatives and products in equations on a ring (KdV). */
 #include "sim/equation/spectral.h"
 
+#include <stdlib.h>
+
+#include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)

@@ -6,6 +6,9 @@
  * the modes kept, and integrals of cubes are exact. */
 #pragma once
 
+#include <stddef.h>
+
+#include "beadreel/error.h"
 #include "sim/base/elementary.h"
 #include "sim/equation/fourier.h"
 

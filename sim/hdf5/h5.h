@@ -6,6 +6,12 @@
  * call. */
 #pragma once
 
+#include <hdf5.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
 #include "sim/base/library.h"
 #include "sim/hdf5/h5_seal.h"
 

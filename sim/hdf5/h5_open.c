@@ -4,6 +4,8 @@
 #include "sim/hdf5/h5_private.h"
 
 #include <errno.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>

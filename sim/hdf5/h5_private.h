@@ -3,6 +3,7 @@
  * tables do not need. */
 #pragma once
 
+#include <hdf5.h>
 #include <hdf5_hl.h>
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>

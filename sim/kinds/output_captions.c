@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keys of movies that are tables: captions, speed, title card. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 #include "sim/base/memory.h"

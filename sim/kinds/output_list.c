@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `outputs`: the list, with the kind and the files of each entry. */
+#include <stdlib.h>
+#include <string.h>
 
 #include "beadreel/sink.h"
 #include "sim/base/memory.h"

@@ -2,6 +2,7 @@
 /* The kind of output `movie`: its table of keys, readers and checks. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 #include "sim/base/text.h"

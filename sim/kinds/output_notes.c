@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keys of movies: notes tied to things, and stops. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 #include "sim/base/memory.h"

@@ -2,6 +2,7 @@
 /* Reads the settings of an output or a panel by the table of its kind, completes and checks them. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `show`: what plots and tables can show, and the keys for each. */
+#include <string.h>
 
 #include "beadreel/law.h"
 #include "sim/base/suggest.h"

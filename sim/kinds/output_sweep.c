@@ -2,6 +2,8 @@
 /* The kinds of output that only sweeps have, results and contact sheets, and the parts shared by plots, tables and reports of
  * sweeps. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/spins.h"

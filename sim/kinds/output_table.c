@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `table`: its tables of keys, of single runs and of sweeps. */
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/scene_facts.h"
 
 #define TABLE_SHOWS(SHOW)                                                                                                 \
     SHOW("sensors", BEAD_SHOW_SENSORS), SHOW("peaks", BEAD_SHOW_PEAKS), SHOW("bead-peaks", BEAD_SHOW_BEAD_PEAKS),         \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `trajectory`: its table of keys, readers and checks. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/kinds/outputs.h"
 

@@ -2,6 +2,7 @@
 /* Facts about the chains of a scene before they are made, for checks of its other keys. */
 #pragma once
 
+#include "beadreel/scene.h"
 #include "sim/chain/system.h"
 
 enum { BEAD_SCENE_BEADS = 100000000 }; /* the most in all chains */

@@ -2,6 +2,7 @@
 /* Waves from files, for drives and measured data: their points become a part of the scene's text, so that the text stored in
  * trajectories is complete. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

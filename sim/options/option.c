@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One row of an option table: where it is, and in words what its value may be. */
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/suggest.h"
 #include "sim/options/options.h"

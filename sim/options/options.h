@@ -3,8 +3,11 @@
  * knows tables and documents, but none of the structures. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
+#include "beadreel/error.h"
 #include "sim/base/units.h"
 #include "sim/yaml/yaml.h"
 

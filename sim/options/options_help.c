@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help texts and man pages from option tables. */
+#include <string.h>
 
 #include "sim/options/options.h"
 

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `table:` outputs: comma-separated values as in RFC 4180, numbers with the fewest digits that read back as the same
  * double. */
+#include <stdlib.h>
 
-#include "sim/output/table.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/measure/spectra.h"
+#include "sim/output/table.h"
 
 /* Word of `show` and `const struct table bead_table_NAME`. */
 #define TABLES(TABLE)                                                                                                         \

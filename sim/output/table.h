@@ -3,7 +3,9 @@
 #pragma once
 
 #include <locale.h>
+#include <stdio.h>
 
+#include "beadreel/sink.h"
 #include "sim/measure/measure.h"
 #include "sim/measure/places.h"
 #include "sim/measure/profile_times.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables without samples. Of chains at rest: a row for each bead, with the contact to its right. */
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/frequency/bands.h"

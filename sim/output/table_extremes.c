@@ -3,6 +3,7 @@
  * of two runs also as a part of the largest value of the first until then: when and where they part. The uncertainty is that of the
  * magnitude, because the sign may change at any moment. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/number.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of measures: a row for each number, a block for each chain. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"

@@ -4,6 +4,7 @@
 
 #include "sim/chain/validity.h"
 #include "sim/kinds/scene_facts.h"
+#include "sim/measure/places.h"
 #include "sim/measure/sink_grid.h"
 #include "sim/output/table.h"
 

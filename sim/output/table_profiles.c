@@ -5,6 +5,7 @@
 #include "sim/base/number.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
+#include "sim/measure/profile_times.h"
 #include "sim/output/table.h"
 
 static enum bead_error profiles_prepare(struct bead_sink *sink, struct bead_message *msg)

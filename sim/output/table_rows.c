@@ -2,7 +2,9 @@
 /* Writes the parts of tables, and the columns of tables with a row for each time. The FILE remembers failures until it is closed.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/number.h"
 #include "sim/measure/sink_grid.h"

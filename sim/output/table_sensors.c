@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables with a row for each time. Of sensors: a row for each time, a column for the force on each bead with a sensor, or for the
  * places asked for. */
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/energy_parts.h"
+#include "sim/measure/places.h"
 #include "sim/output/table.h"
 
 void bead_table_place_name(const struct bead_place_shown *place, bool listed, char *name, size_t size)

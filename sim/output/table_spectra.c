@@ -2,6 +2,7 @@
 /* Tables of spectra: a row for each frequency, with a column for each place; of a spectrogram a row for each time and frequency; of
  * a dispersion a row for each wave number and band, with the strongest line. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/number.h"

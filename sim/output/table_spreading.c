@@ -2,6 +2,7 @@
 /* Tables of spreading: second moment, participation and front over time, and the exponents of the window that ends there. The last
  * row has those of the whole run. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/number.h"

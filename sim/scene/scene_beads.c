@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `beads`: the segments of a chain, left to right. */
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/scene/scene_internal.h"

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `chain`: its beads, its striker, and its forces. */
 #include <math.h>
+#include <stdlib.h>
 
+#include "beadreel/law.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_internal.h"

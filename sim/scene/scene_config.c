@@ -3,6 +3,7 @@
 #include "sim/base/memory.h"
 #include "sim/scene/scene_private.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "sim/base/file.h"

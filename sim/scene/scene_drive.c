@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `drive`: a force on a bead, or its displacement, as a function of time. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/drive.h"

@@ -2,6 +2,7 @@
 /* All keys of scenes, or those of one section, from the tables that read them. */
 
 #include "sim/base/suggest.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"

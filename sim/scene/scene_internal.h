@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "beadreel/scene.h"
 #include "sim/yaml/yaml.h"
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. The scene's own

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `materials`: what beads and walls are made of. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/assets.h"
 #include "sim/base/memory.h"

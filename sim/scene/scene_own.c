@@ -2,6 +2,7 @@
 /* Copies the user's own settings that a scene uses into its document, so that the text stored in trajectories is complete:
  * materials that it names, style and font of outputs that give none, colours from files. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

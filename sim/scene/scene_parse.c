@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes from text to structures: the document with its settings, a user's own files, the tables; and the end of a scene. */
+#include "beadreel/law.h"
 #include "sim/base/file.h"
 #include "sim/base/text.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"

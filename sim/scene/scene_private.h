@@ -9,6 +9,7 @@
 #define BEAD_LIGHTEST      10.0 /* kg/m3 */
 #define BEAD_HEAVIEST      25000.0
 
+#include "beadreel/scene.h"
 #include "sim/kinds/scene_facts.h"
 #include "sim/options/options.h"
 

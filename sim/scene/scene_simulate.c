@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `simulate`: how long, and how accurately; `fit`: the keys whose values are found from measurements. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and the measurements. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/spins.h"

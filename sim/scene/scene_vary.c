@@ -3,6 +3,10 @@
 #include "sim/base/memory.h"
 #include "sim/scene/scene_private.h"
 
+#include <math.h>
+#include <stdlib.h>
+
+#include "sim/base/elementary.h"
 #include "sim/base/random.h"
 #include "sim/base/wide.h"
 

@@ -2,6 +2,7 @@
 /* `over`: the keys of a scene to which a sweep gives other values, one by one. */
 #include <ctype.h>
 #include <math.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "sim/base/memory.h"

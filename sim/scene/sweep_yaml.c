@@ -3,6 +3,8 @@
  * results. */
 #include "sim/scene/scene_internal.h"
 
+#include <stdlib.h>
+
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"

@@ -2,6 +2,7 @@
 /* A session's life. Opening goes from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks.
  */
 #include <errno.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "sim/base/memory.h"

@@ -2,10 +2,14 @@
 /* The inside of a session, shared by session_*.c. */
 #pragma once
 
+#include <string.h>
+
+#include "beadreel/session.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/run/play.h"
+#include "sim/yaml/yaml.h"
 
 /* One output of the scene, in its order. */
 struct bead_made {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `fit`: before anything else, finds the values of keys for which the first chain moves as measured. Each try is a scene with other
  * values, and a run of its first chain. */
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/measure/places.h"

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several trajectories as one source of samples: their chains side by side, or the difference of two. */
+#include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/kinds/scene_facts.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The outputs of a session: those of its scene that are asked for, and where their files go. */
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

@@ -4,6 +4,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_data.h"
+#include "sim/equation/equation.h"
 #include "sim/session/session_data.h"
 
 /* Times as people write them: microseconds or milliseconds for beads, no unit for equations. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a session: a scouting run if one is needed, the run itself, and the end of every sink. */
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

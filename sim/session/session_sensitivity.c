@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensitivities and standard deviations of peaks, after the run: each chain once more, its states kept, and back (sensitivity.h).
  */
+#include <stdlib.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"

@@ -2,6 +2,7 @@
 /* The one output that the command line names, by -o FILE, --frame, --sheet or --configuration: finds that output of the scene or
  * makes a new one, and applies the options to it. */
 #include <ctype.h>
+#include <stdlib.h>
 #include <strings.h>
 #include <sys/stat.h>
 

@@ -5,6 +5,7 @@
 
 #include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/session/session_data.h"
 
 /* Pictures use the trajectory's samples if their spacing is at most this, in units of the spacing that shows every oscillation; the

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sessions of sweeps: compute many chains, or read their results from a file, and write tables and plots of them. */
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

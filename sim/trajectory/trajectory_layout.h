@@ -13,6 +13,9 @@
  */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "beadreel/sink.h"
 
 enum { BEAD_TRAJECTORY_PROFILE = 1 }; /* version of the layout */

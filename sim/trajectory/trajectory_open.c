@@ -3,6 +3,7 @@
 #include "sim/trajectory/trajectory_data.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

@@ -3,7 +3,9 @@
 #include "sim/trajectory/trajectory_sink.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"

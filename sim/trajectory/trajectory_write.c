@@ -5,6 +5,9 @@
 #include "sim/trajectory/trajectory_sink.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "beadreel/trajectory.h"
 #include "sim/base/clock.h"

@@ -4,6 +4,8 @@
  * as paths. */
 #include "sim/trajectory/trajectory_sink.h"
 
+#include <string.h>
+
 #include "sim/chain/system.h"
 
 struct xdmf {

@@ -5,6 +5,10 @@
  * replaced by copies, so that an override changes one place only. Nodes belong to the document. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
 #include "beadreel/scene.h"
 #include "sim/base/internal.h"
 
