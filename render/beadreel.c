@@ -11,7 +11,7 @@
 #include "render/paint/canvas.h"
 #include "render/paint/gl_context.h"
 #include "sim/cli/command_line.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 static COMMAND_LISTS(list_colormaps)
 {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/colour/colour_table.h"
+#include "render/colour/palette.h"
 #include "sim/base/memory.h"
 
 enum { MOST_BOXES = 256, ROUNDS = 4 };

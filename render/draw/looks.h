@@ -43,3 +43,9 @@ void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, doub
                           double *height);
 /* Gives a look the dark colours of screens. */
 void bead_look_darken(struct bead_look *look);
+
+/* Fonts that come with the program. */
+
+/* If the assets have fonts/fonts.conf, fontconfig reads that instead of the system's configuration, unless FONTCONFIG_FILE names
+ * another. Call it before Pango first looks for a font; only the first call has an effect. */
+void bead_fonts_use_own(void);

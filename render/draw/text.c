@@ -1,21 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text through Pango, laid out independently of the pixel grid, so that it is the same in rasters and vector files. */
-#include <fcntl.h>
-#include <fontconfig/fontconfig.h>
 #include <hb.h>
 #include <limits.h>
 #include <math.h>
 #include <pango/pangocairo.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "render/draw/vector.h"
-#include "sim/base/assets.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
@@ -97,25 +92,9 @@ static void set_contents(PangoLayout *layout, const char *family, const char *ma
     }
 }
 
-/* If the assets have fonts/fonts.conf, fontconfig reads that instead of the system's configuration, unless FONTCONFIG_FILE names
- * another; before Pango first looks for a font. */
-static void use_own(void)
-{
-    char path[PATH_MAX];
-    if (getenv("FONTCONFIG_FILE") || bead_asset_path("fonts/fonts.conf", path, sizeof path, NULL))
-        return;
-    FcConfig *config = FcConfigCreate();
-    if (config && FcConfigParseAndLoad(config, (const FcChar8 *)path, FcFalse) && FcConfigBuildFonts(config))
-        FcConfigSetCurrent(config);
-    if (config)
-        FcConfigDestroy(config);
-}
-
-static pthread_once_t own_fonts = PTHREAD_ONCE_INIT;
-
 static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup)
 {
-    pthread_once(&own_fonts, use_own);
+    bead_fonts_use_own();
     PangoContext *context = pango_cairo_create_context(cr);
     cairo_font_options_t *options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -380,33 +359,4 @@ void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, doub
         cairo_destroy(used);
     }
     *width = size[0], *height = size[1];
-}
-
-/* Can fonts and their configuration be opened? Fontconfig silently leaves out files that cannot. */
-static bool descriptors_are_left(void)
-{
-    enum { NEEDED = 8 };
-    int opened[NEEDED], count = 0;
-    while (count < NEEDED && (opened[count] = open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0)
-        count++;
-    for (int i = 0; i < count; i++)
-        close(opened[i]);
-    return count == NEEDED;
-}
-
-enum bead_error bead_text_check(struct bead_message *msg)
-{
-    const char *missing = NULL;
-    if (!descriptors_are_left())
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "too few file descriptors are left for fonts (see ulimit -n)");
-    pthread_once(&own_fonts, use_own);
-    FcStrList *files = FcInit() ? FcConfigGetConfigFiles(NULL) : NULL;
-    FcFontSet *fonts = files ? FcConfigGetFonts(NULL, FcSetSystem) : NULL;
-    if (!files || !FcStrListNext(files))
-        missing = "fontconfig cannot read its configuration";
-    else if (!fonts || fonts->nfont == 0)
-        missing = "fontconfig finds no font; install some (on Debian, fonts-stix and fonts-lato)";
-    if (files)
-        FcStrListDone(files);
-    return missing ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "text cannot be drawn: %s", missing) : BEAD_OK;
 }

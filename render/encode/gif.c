@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "render/colour/colour_table.h"
+#include "render/colour/palette.h"
 
 enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* units: players slow shorter delays down */ };
 

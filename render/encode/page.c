@@ -4,11 +4,9 @@
 
 #include <math.h>
 
-#include "beadreel/movie.h"
 #include "render/draw/looks.h"
 #include "render/draw/raster.h"
-#include "render/origin/origin.h"
-#include "sim/base/memory.h"
+#include "render/encode/picture_file.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/output_kinds.h"
 
@@ -137,74 +135,4 @@ enum bead_error bead_page_write(const struct bead_page *page, const struct bead_
     bead_page_notes(page, output, scene, drawing->tale, description, &notes);
     return page->vector ? bead_vector_write(path, page->width, page->height, drawing->draw, drawing->context, &notes, bytes, msg)
                         : write_raster(page, drawing, path, &notes, bytes, msg);
-}
-
-/* ---- times ---- */
-
-enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_run_context *context, double time[2],
-                                   struct bead_message *msg)
-{
-    double end = context->end;
-    time[0] = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
-    time[1] = isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end);
-    if (!(time[1] > time[0]) || !isfinite(time[1]))
-        return bead_output_wrong(output, msg, "time: from %g to %g there is nothing to show; the run ends at %g", time[0], time[1],
-                                 end);
-    return BEAD_OK;
-}
-
-struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_shown *shown, const double time[2],
-                                   double pixels)
-{
-    const struct bead_grid *native = &context->native;
-    if (native->every > 0) { /* from the sample before the beginning to the one after the end */
-        double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
-        double last = ceil((time[1] - native->start) / native->every - 1e-6);
-        return (struct bead_grid){.start = native->start + first * native->every,
-                                  .every = native->every,
-                                  .end = fmin(native->end, native->start + last * native->every)};
-    }
-    double pixel = (time[1] - time[0]) / pixels, resolution = context->resolution;
-    double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
-    double every = shown->every > 0 ? shown->every : pixel / fmax(2, parts);
-    return (struct bead_grid){.start = time[0], .every = every > 0 ? every : 1, .end = time[1]};
-}
-
-/* ---- stills of pixels ---- */
-
-static struct bead_movie_settings still_of(int width, int height, bool alpha)
-{
-    return (struct bead_movie_settings){
-        .size = sizeof(struct bead_movie_settings), .width = width, .height = height, .fps = 1, .alpha = alpha, .still = true};
-}
-
-static bool is_png(const char *path)
-{
-    return bead_output_ends_like(".png", path);
-}
-
-enum bead_error bead_picture_check(const char *path, int width, int height, bool alpha, struct bead_message *msg)
-{
-    const struct bead_movie_settings settings = still_of(width, height, alpha);
-    return is_png(path) ? BEAD_OK : bead_movie_check(path, &settings, msg);
-}
-
-enum bead_error bead_picture_write(const char *path, const struct bead_frame *frame, const struct bead_picture_notes *notes,
-                                   uint64_t *bytes, struct bead_message *msg)
-{
-    if (is_png(path))
-        return bead_png_write(path, frame, notes, bytes, msg);
-    struct bead_movie_settings settings = still_of(frame->width, frame->height, frame->alpha);
-    struct bead_movie *movie;
-    settings.title = notes->title;
-    settings.dpi = notes->dpi;
-    BEAD_FREED char *comment = NULL;
-    BEAD_TRY(bead_origin_text(notes->description, notes->source, &comment, msg));
-    settings.comment = comment;
-    BEAD_TRY(bead_movie_open(path, &settings, &movie, msg));
-    enum bead_error err = bead_movie_add(movie, frame, NULL, msg);
-    if (!err)
-        return bead_movie_close(movie, bytes, msg);
-    bead_movie_abort(movie);
-    return err;
 }

@@ -39,22 +39,3 @@ struct bead_drawing {
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
                                            const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
                                            uint64_t *bytes, struct bead_message *msg);
-
-/* ---- the times that a picture shows ---- */
-
-/* The times at which an output's picture begins and ends. Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_run_context *context,
-                                              double time[2], struct bead_message *msg);
-/* The sampling grid of a picture with `pixels` along `time`: at least two samples per pixel, and enough for every oscillation; of a
- * context with its own grid, that one. */
-struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_shown *shown, const double time[2],
-                                   double pixels);
-
-/* ---- stills of pixels: PNG with its notes, or, by the name's ending, a picture of libav's encoders, with none of the notes but
- * dpi ---- */
-
-/* Can a picture with this name be made? Errors: those of bead_movie_check. */
-BEAD_CHECK enum bead_error bead_picture_check(const char *path, int width, int height, bool alpha, struct bead_message *msg);
-/* Errors: IO, MEMORY, CODEC. */
-BEAD_CHECK enum bead_error bead_picture_write(const char *path, const struct bead_frame *frame,
-                                              const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg);

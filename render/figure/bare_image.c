@@ -11,13 +11,16 @@
 
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"
+#include "render/draw/picture_times.h"
 #include "render/draw/raster.h"
 #include "render/figure/figure.h"
 #include "render/view/area.h"
+#include "render/view/orientation.h"
 #include "render/view/tale.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 struct bead_still {
     const struct bead_output *output;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/view/orientation.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 

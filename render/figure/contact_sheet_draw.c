@@ -10,6 +10,7 @@
 #include "render/draw/raster.h"
 #include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
+#include "render/view/orientation.h"
 #include "sim/base/memory.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"

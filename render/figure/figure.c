@@ -2,14 +2,16 @@
 /* Creates a figure and feeds it samples; figure_draw.c finishes it. */
 #include <stdlib.h>
 
+#include "render/draw/picture_times.h"
 #include "render/figure/figure.h"
-#include "render/stage/along.h"
-#include "render/stage/panel.h"
-#include "render/view/horizon.h"
+#include "render/stage/magnify.h"
+#include "render/stage/stage_key.h"
+#include "render/view/orientation.h"
+#include "render/view/theory_line.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {

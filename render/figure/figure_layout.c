@@ -6,7 +6,7 @@
 #include "render/draw/layout.h"
 #include "render/figure/figure.h"
 #include "render/stage/along.h"
-#include "render/view/area.h"
+#include "render/view/orientation.h"
 
 /* Lengths in units of the label's font size. */
 static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;

@@ -11,12 +11,12 @@
 #include "render/draw/raster.h"
 #include "render/draw/words.h"
 #include "render/movie/film.h"
-#include "render/stage/along.h"
 #include "render/stage/camera.h"
-#include "render/stage/panel.h"
+#include "render/stage/magnify.h"
+#include "render/stage/stage_key.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Views are numbered chain by chain. */
 static size_t view_count(const struct bead_composer *c)

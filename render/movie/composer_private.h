@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shared by the files of a composer: composer.c, movie_measure.c (and cameras), movie_shown.c (fields, beads, interest,
- * inset), movie_names.c (names of chains), movie_overlay.c (the parts over and around the views). */
+/* Shared by the files of a composer: composer.c, movie_measure.c (and cameras), movie_shown.c (fields,
+ * beads, interest), movie_names.c (names of chains), movie_inset.c (cells), movie_overlay.c (the parts over and around the views).
+ */
 #pragma once
 
 #include <cairo.h>

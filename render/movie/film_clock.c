@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film whose speed changes: pieces of motion between the times of its curve and the captions that make a pause. */
-#include "render/movie/film.h"
+#include "render/movie/film_clock.h"
 
 #include <math.h>
 #include <stdlib.h>

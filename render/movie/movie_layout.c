@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "render/movie/movie_cells.h"
+#include "render/movie/movie_stage.h"
 #include "render/movie/movie_words.h"
 
 /* Frames narrower than this, in heights, have the bar beside the clock. */

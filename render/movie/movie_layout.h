@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom. Between them a stage
- * (movie_cells.h), or cells, one for each chain: a heading, and the chain's views below each other. Cells are below each other,
+ * (movie_stage.h), or cells, one for each chain: a heading, and the chain's views below each other. Cells are below each other,
  * side by side, or both; an overlay has one profile for all chains above the cells, and with `beside` the images of a cell are to
  * the right of its other views. Cells have a colour bar on the right or, in frames that are not wide, beside the clock.
  *
@@ -16,7 +16,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/draw/axis.h"
-#include "render/view/area.h"
+#include "render/view/orientation.h"
 
 struct bead_facts; /* movie_words.h */
 

@@ -7,15 +7,16 @@
 #include "render/draw/looks.h"
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
-#include "render/movie/movie_cells.h"
+#include "render/movie/movie_stage.h"
 #include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* The most by which a title below vertical axes widens their margin, in units of the font size. */
 static const double most_wider = 1.2;

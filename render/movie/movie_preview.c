@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "render/view/area.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Most values to keep: of 1000 beads in 2000 frames, or ten times as many if the run is needed for its range anyway. */
 static const double most_values = 2e6, most_scouted = 2e7;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the parts of a stage: beads first, then the bar, images and curve in the rest. */
-#include "render/movie/movie_cells.h"
+#include "render/movie/movie_stage.h"
 
 #include <math.h>
 
-#include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,

@@ -8,7 +8,7 @@
 #include "render/encode/movie_private.h"
 #include "render/view/held.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 static const double most_frames = 1e7, most_samples = 1e9;
 /* 1/s: enough to judge a motion; at 60 frames a second this halves the cost of drawing. */

@@ -9,7 +9,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/draw/axis.h"
-#include "render/movie/film.h"
+#include "render/movie/film_clock.h"
 
 /* The format of times: in the unit of the picture's time axes, with a fixed number of decimals. */
 struct bead_clock {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the files of a graph: graph.c (entry, files), graph_range.c (axes), graph_layout.c (places), graph_words.c (words at
- * rulers), graph_legend.c, graph_outer.c (legends), graph_ends.c (names at lines' ends), graph_draw.c (panels, title and
- * caption), graph_image.c (colours and their bar), graph_contents.c (inside a plot's frame), graph_curve.c (curves and points).
+ * rulers), graph_legend.c, graph_outer.c (legends), graph_ends.c (names at lines' ends), graph_draw.c (panels), graph_page.c (title
+ * and caption), graph_image.c (colours and their bar), graph_contents.c (inside a plot's frame), graph_curve.c (curves and points).
  * Lengths in px. */
 #pragma once
 

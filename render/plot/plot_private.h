@@ -95,6 +95,10 @@ BEAD_CHECK enum bead_error plot_times_create(struct bead_plot_data *data, size_t
 struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bead_sample *sample);
 /* Adds the numbers of that sample. */
 void plot_times_add(const struct bead_plot_data *data, struct plot_panel *part, const double *numbers);
+/* The number of measured curves beside a panel's: with an overlay, beside the first chain's. */
+size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_panel *part);
+/* Adds them to panel `p`, and their differences from the computed ones to the panel below. Errors: MEMORY. */
+BEAD_CHECK enum bead_error plot_measured_add(struct bead_plot_data *data, size_t p, struct bead_message *msg);
 /* Adds the points of a curve, times a factor. */
 void plot_add_curve(struct plot_panel *part, struct bead_series series, const struct bead_curves *curves, size_t k, double factor);
 /* Does a plot, or a panel of one chain, show this chain, and does the chain have one of the places shown, if any? */

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "render/draw/axis.h"
-#include "render/encode/page.h"
+#include "render/draw/picture_times.h"
 #include "render/report/report_private.h"
-#include "render/stage/along.h"
+#include "render/stage/magnify.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"

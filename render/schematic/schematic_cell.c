@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "render/schematic/schematic.h"
-#include "render/schematic/schematic_plan.h"
 #include "render/schematic/schematic_sketch.h"
+#include "render/schematic/schematic_strip.h"
 
 enum { MOST_CELLS = 16, MOST_GROUPS = 24, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
 /* A cell with more groups than this may get a single brace, with this many of its beads at each end. */

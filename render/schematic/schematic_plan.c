@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "render/draw/words.h"
-#include "sim/base/memory.h"
 
 /* In units of the label's font size. */
 static const double header_height = 1.7, label_line = 1.3, leader = 1.0, arrow_room = 0.95, guide_height = 0.28,

@@ -4,6 +4,7 @@
 
 #include "render/draw/layout.h"
 #include "render/schematic/schematic.h"
+#include "render/schematic/schematic_strip.h"
 
 enum { BEAD_PLAN_PARTS = 40, BEAD_PLAN_LABELS = BEAD_PLAN_PARTS + 2 };
 

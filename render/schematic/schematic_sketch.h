@@ -75,28 +75,3 @@ void bead_symbol_words(const char *letter, int index, char *out, size_t size);
 /* Markup: "large steel, R = 4.76 mm, 3.63 g"; for several that differ only in size, "a to b, R = 4.76 mm to 1.80 mm, 3.63 g to
  * 0.195 g"; for one, if first is last. */
 void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size);
-
-/* ---- rows of beads in contact, some of them left out ---- */
-
-struct bead_strip {
-    struct bead_strip_bead {
-        size_t material;
-        bool left_out; /* a gap with dots instead */
-        double x, r;   /* result: centre and radius, px; for a gap, half its width */
-        size_t mark;   /* the group or segment it belongs to */
-    } * beads;
-    size_t count, room;
-    bool failed; /* out of memory; the caller that frees the strip tells the sketch */
-};
-/* `count` beads of materials that are `step` places apart: all of them, or the first `lead` and the last `tail` with a gap instead
- * of two or more. False: out of memory. */
-BEAD_CHECK bool bead_strip_add(struct bead_strip *strip, const size_t *material, ptrdiff_t step, size_t count, size_t lead,
-                               size_t tail, size_t mark);
-BEAD_CHECK bool bead_strip_add_gap(struct bead_strip *strip, size_t mark);
-void bead_strip_free(struct bead_strip *strip);
-/* Width of the strip, px, with `scale` px per metre and gaps of `gap` px. */
-double bead_strip_width(const struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap);
-/* Finds places, from x. */
-void bead_strip_place(struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap, double x);
-/* Extent of all beads with this mark; false: no bead has it. */
-bool bead_strip_extent(const struct bead_strip *strip, size_t mark, double *low, double *high);

@@ -4,9 +4,9 @@
 
 #include "beadreel/view.h"
 #include "render/paint/paint.h"
-#include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/latest.h"
+#include "render/stage/moving_labels.h"
 
 /* The place of a piece of the chain in the picture: x = left + (position - from) * scale. */
 struct bead_window {

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/stage/along.h"
 #include "render/stage/latest.h"
+#include "render/stage/magnify.h"
 
 /* The wave has reached a contact loaded by this part of the strongest compression. */
 static const double reaching = 0.015;

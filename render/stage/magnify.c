@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses, from the first hit, the factor that magnifies displacements in stills and movies, if the scene gives none. */
-#include "render/stage/along.h"
+#include "render/stage/magnify.h"
 
 #include <math.h>
 

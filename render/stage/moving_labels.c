@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Labels that move with the camera, below profiles and above rows of beads: masks shifted by parts of a pixel. */
-#include "render/stage/along.h"
+#include "render/stage/moving_labels.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 
 #include "beadreel/law.h"
 #include "render/draw/axis.h"
-#include "render/stage/along.h"
-#include "render/stage/panel.h"
+#include "render/stage/magnify.h"
+#include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
 #include "sim/chain/system.h"
 

@@ -7,7 +7,6 @@
  * stored, never the samples. */
 #pragma once
 
-#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -66,38 +65,3 @@ struct bead_area_image {
 /* Columns from..to - 1, up to the first that no sample has touched, which `done` returns. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
                                             const struct bead_area_image *image, int *done, struct bead_message *msg);
-
-/* ---- inner loops of areas and colours: element by element, so that any vector width gives the same bits; arrays do not overlap
- * ---- */
-
-/* The value further from 0; b if a is NaN. */
-static inline double bead_further(double a, double b)
-{
-    return fabs(b) <= fabs(a) ? a : b;
-}
-
-/* out = values - rest. */
-void bead_area_subtract(size_t n, const double *values, const double *rest, double *out);
-/* sums += early * before + late * now. */
-void bead_area_add(size_t n, double early, double late, const double *before, const double *now, double *sums);
-/* The value furthest from 0 between the parts `begin` and `end` of the way from `before` to `now`, which is at one of these. */
-void bead_area_add_largest(size_t n, double begin, double end, const double *before, const double *now, double *largest);
-/* means = resting + sums / covered. `means` may be `sums`. */
-void bead_area_means(size_t n, double covered, const double *resting, const double *sums, double *means);
-/* The largest, or `resting` if it is NaN. `out` may be `largest`. */
-void bead_area_largest(size_t n, const double *resting, const double *largest, double *out);
-/* Lowers `low` and raises `high` to include the values. */
-void bead_area_spread(size_t n, const double *values, double *low, double *high);
-/* Means of n pixels that lie across the borders of n + 1 cells, each with its part `beyond` in the next cell. */
-void bead_area_borders(size_t n, const double *beyond, const double *cells, double *means);
-void bead_area_borders_largest(size_t n, const double *cells, double *largest);
-
-/* ---- orientation of space-time images ---- */
-
-/* The orientation of an output's images, with `auto` resolved: never AUTO. */
-enum bead_orientation bead_orientation_of(const struct bead_output *output);
-/* The quantity on a view's horizontal axis in a picture whose images have this orientation. */
-enum bead_view_across bead_orientation_across(enum bead_orientation orientation, const struct bead_view_info *view);
-/* Places of the pixels of an image with this many places along the chain; `indices` is its top left pixel, and rows are `stride`
- * apart. */
-struct bead_area_image bead_orientation_image(enum bead_orientation orientation, int places, uint8_t *indices, ptrdiff_t stride);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inner loops of areas, element by element; compiled with -O3, which vectorises them. */
-#include "render/view/area.h"
+#include "render/view/area_kernels.h"
 
 void bead_area_subtract(size_t n, const double *restrict values, const double *restrict rest, double *restrict out)
 {

@@ -60,21 +60,3 @@ struct bead_trust bead_trust_make(const struct bead_chain *chain, double toleran
 void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bead_trust *trust, struct bead_rect rect, bool right);
 /* The markup of the line, from all words (0) to the verdict alone (3). */
 void bead_trust_say(const struct bead_trust *trust, int shorter, char *markup, size_t size);
-
-/* The front predicted by theory, over a space-time image: a straight line that starts at the first bead when the striker hits it,
- * as fast as the solitary wave of long waves (compacton.h) with the force of the pulse. */
-
-struct bead_theory_line;
-
-/* Errors: SCENE, with the output's place (the chain has no such wave, or shows too few beads). */
-BEAD_CHECK enum bead_error bead_theory_line_check(const struct bead_output *output, const struct bead_chain *chain,
-                                                  struct bead_message *msg);
-/* Of a chain that has passed the check. Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, struct bead_theory_line **line,
-                                                   struct bead_message *msg);
-void bead_theory_line_destroy(struct bead_theory_line *line);
-/* A sample with forces of contacts. */
-void bead_theory_line_feed(struct bead_theory_line *line, const struct bead_sample *sample);
-/* Draws it over a part of the image in `plot`, with words that name the theory if they fit; nothing if no pulse has passed. */
-void bead_theory_line_draw(const struct bead_theory_line *line, const struct bead_look *look, struct bead_rect plot,
-                           struct bead_rect part, cairo_t *cr);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The front predicted by theory: see horizon.h. */
-#include "render/view/horizon.h"
+/* See theory_line.h. */
+#include "render/view/theory_line.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -8,10 +8,11 @@
 #include "render/paint/pixel_kernels.h"
 #include "render/stage/along.h"
 #include "render/stage/beads.h"
+#include "render/stage/magnify.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 static unsigned beads_fields(const struct bead_view_setup *setup)
 {

@@ -10,7 +10,7 @@
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Width of a bar as a part of its room; end of the axis, in units of the initial energy. */
 static const double fullness = 0.62, high = 1.04;

@@ -5,17 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/smooth_curve.h"
 #include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/latest.h"
+#include "render/stage/moving_labels.h"
 #include "render/stage/panel.h"
-#include "render/view/held.h"
+#include "render/view/profile_hold.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;

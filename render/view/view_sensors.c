@@ -10,7 +10,7 @@
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 /* In units of axis lines; of the label's font size. */
 static const double curve_width = 2, strip = 1.5, sample_length = 1.6;

@@ -12,9 +12,11 @@
 #include "render/stage/panel.h"
 #include "render/view/area.h"
 #include "render/view/horizon.h"
+#include "render/view/orientation.h"
+#include "render/view/theory_line.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 struct bead_view {
     struct bead_view_setup setup;

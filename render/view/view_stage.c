@@ -9,7 +9,7 @@
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 static bool contacts_of(const struct bead_chain *chain)
 {

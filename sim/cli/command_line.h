@@ -138,6 +138,9 @@ struct command_origin {
     char frame[64], still[16]; /* the options that it was made with; "": without */
     char beside[256];          /* another file that says so; "": the file itself */
 };
+/* Errors: IO, FORMAT, MEMORY. */
+enum bead_error command_find_origin(const struct command *command, const char *path, struct command_origin *origin,
+                                    struct bead_message *msg);
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
 
 /* Lists that need no graphics. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Exponential time differencing, see spectral.h: the coefficients of a step, and the step. */
-#include "sim/equation/spectral.h"
+/* Exponential time differencing, see etd.h: the coefficients of a step, and the step. */
+#include "sim/equation/etd.h"
 
 #include <math.h>
 

@@ -8,6 +8,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/equation/equation.h"
+#include "sim/equation/kdv_solitons.h"
 #include "sim/equation/kdv_solver.h"
 
 /* Conserved: the integrals of u, u^2 and drift u^2 / 2 + a u^3 / 6 - b u_x^2 / 2. */

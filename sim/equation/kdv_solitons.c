@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds and follows solitons: see kdv_solver.h. */
-#include "sim/equation/kdv_solver.h"
+/* Finds and follows solitons: see kdv_solitons.h. */
+#include "sim/equation/kdv_solitons.h"
 
 #include <math.h>
 

@@ -13,7 +13,8 @@
 
 #include "beadreel/error.h"
 #include "sim/base/library.h"
-#include "sim/hdf5/h5_seal.h"
+#include "sim/hdf5/h5_check.h"
+#include "sim/hdf5/h5_disk.h"
 
 struct bead_h5 {
     hid_t file;                  /* -1: not open in this process */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The HDF5 driver for reading of h5_seal.h. */
-#include "sim/hdf5/h5_seal.h"
+/* The HDF5 driver of h5_check.h. */
+#include "sim/hdf5/h5_check.h"
 
 #include <errno.h>
 #include <stdlib.h>

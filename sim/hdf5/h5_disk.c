@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The HDF5 driver for writing of h5_seal.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so
- * that HDF5 never sees a failure. */
+/* The HDF5 driver of h5_disk.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so that HDF5 never
+ * sees a failure. */
+#include "sim/hdf5/h5_disk.h"
 
 #include <errno.h>
 #include <stdlib.h>

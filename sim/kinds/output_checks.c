@@ -2,6 +2,7 @@
 /* Checks of the keys of an output against each other and against the scene, shared by several kinds. */
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 #include <math.h>
 

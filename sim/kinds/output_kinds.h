@@ -96,13 +96,3 @@ extern const struct bead_option_family bead_output_family;
 extern const struct bead_options bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
 /* Maps within the keys of movies. */
 extern const struct bead_options bead_caption_options, bead_note_options, bead_speed_options, bead_card_options;
-
-/* ---- rows and traits of views ---- */
-
-/* By kind. */
-extern BEAD_INTERNAL const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS];
-/* View `index` of those asked for. */
-const struct bead_view_info *bead_views_info(const struct bead_views_asked *asked, size_t index);
-/* Has any of these views the trait? Have all? */
-BEAD_INTERNAL bool bead_views_any(const struct bead_views_asked *asked, unsigned trait);
-BEAD_INTERNAL bool bead_views_all(const struct bead_views_asked *asked, unsigned trait);

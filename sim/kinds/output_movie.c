@@ -7,6 +7,7 @@
 
 #include "sim/base/text.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
 static const char *const codecs[] = {"auto", "av1", NULL};

@@ -7,6 +7,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 enum { MOST_NOTES = 100, MOST_STOPS = 200 };
 

@@ -6,6 +6,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 enum { MOST_ROWS = 8, MOST_COLUMNS = 8 };
 

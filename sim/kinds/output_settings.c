@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 enum { MOST_ON_STAGE = 4 /* chains, by default */ };
 

@@ -9,6 +9,7 @@
 #include "sim/base/number.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/waves.h"
 
 enum { MOST_BYTES = 1 << 24, MOST_POINTS = 100000, MOST_MEASURED = 64 };
 

@@ -5,7 +5,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/chain/drive.h"
-#include "sim/kinds/outputs.h"
+#include "sim/kinds/waves.h"
 #include "sim/scene/scene_private.h"
 
 #define DRIVE(member) offsetof(struct bead_drive, member)

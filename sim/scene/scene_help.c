@@ -3,7 +3,7 @@
 
 #include "sim/base/suggest.h"
 #include "sim/kinds/output_kinds.h"
-#include "sim/kinds/outputs.h"
+#include "sim/kinds/waves.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 

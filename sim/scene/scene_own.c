@@ -7,6 +7,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/waves.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 

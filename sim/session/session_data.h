@@ -176,7 +176,7 @@ BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session,
 size_t bead_session_target(const struct bead_session *session);
 /* Warn about the first chain that its front did not pass. */
 void bead_session_find_lost(struct bead_session *session, const struct bead_played *played);
-/* session_verify.c: could the model fail? Then the peaks of contacts are wanted. */
+/* session_validity.c: could the model fail? Then the peaks of contacts are wanted. */
 void bead_session_doubt(struct bead_session *session);
 /* Warn where it failed, in these outcomes. */
 void bead_session_judge(struct bead_session *session, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of sinks of tables and trajectories. Makes the sinks of a session and decides which samples each takes: its own, or the
- * trajectory output's. */
+/* Makes the sinks of a session and decides which samples each takes: its own, or the trajectory output's. */
 #include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/kinds/view_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Pictures use the trajectory's samples if their spacing is at most this, in units of the spacing that shows every oscillation; the
@@ -203,19 +203,4 @@ enum bead_error bead_session_create_sinks(struct bead_session *s, struct bead_me
     }
     s->needed = bead_session_latest(s);
     return err;
-}
-
-/* The list of the sinks of the computing half, which both programs hand to sessions: a word for each. */
-
-/* `const struct bead_sink_type bead_NAME_sink` of sim/output and sim/sweep */
-#define SINKS(SINK) SINK(trajectory), SINK(table), SINK(sweep_table), SINK(sweep_results)
-
-#define SINK_NAME(name) bead_##name##_sink
-extern const struct bead_sink_type SINKS(SINK_NAME);
-#define SINK_AT(name) &bead_##name##_sink
-static const struct bead_sink_type *const sinks[] = {SINKS(SINK_AT), NULL};
-
-const struct bead_sink_type *const *bead_data_sinks(void)
-{
-    return sinks;
 }

@@ -9,7 +9,7 @@
 #include "sim/scene/scene_internal.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
-#include "sim/trajectory/trajectory_layout.h"
+#include "sim/trajectory/file_kinds.h"
 #include "sim/yaml/yaml.h"
 
 enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *msg)

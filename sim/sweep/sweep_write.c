@@ -7,7 +7,7 @@
 #include "sim/base/memory.h"
 #include "sim/hdf5/h5.h"
 #include "sim/sweep/sweep_data.h"
-#include "sim/trajectory/trajectory_layout.h"
+#include "sim/trajectory/file_kinds.h"
 
 /* Rows of a panel in the file: numbers of jobs within the panel. */
 struct rows {

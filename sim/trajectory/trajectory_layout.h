@@ -69,6 +69,3 @@ extern const struct bead_outcome_column bead_outcome_columns[];
 extern const size_t bead_outcome_column_count;
 
 #define BEAD_PROFILE_GROUP "/parameters/beadreel"
-
-#define BEAD_SWEEP_KIND "beadreel-sweep"
-enum { BEAD_SWEEP_FORMAT = 2 };

@@ -10,6 +10,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 #include "sim/scene/scene_internal.h"
+#include "sim/trajectory/file_kinds.h"
 
 static const size_t longest_scene = 64 << 20; /* bytes */
 

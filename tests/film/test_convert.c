@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "render/colour/colour_table.h"
+#include "render/colour/palette.h"
 #include "render/encode/pictures.h"
 #include "render/paint/pixel_kernels.h"
 

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "render/movie/film.h"
+#include "render/movie/film_clock.h"
 
 static const double whole[2] = {0, 2e-3};
 

@@ -15,8 +15,9 @@
 #include "render/draw/looks.h"
 #include "render/movie/movie_cells.h"
 #include "render/movie/movie_layout.h"
+#include "render/movie/movie_stage.h"
 #include "render/movie/movie_words.h"
-#include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
 #include "render/view/views.h"
 #include "strokes.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "decode.h"
-#include "render/encode/page.h"
+#include "render/encode/picture_file.h"
 #include "sim/base/memory.h"
 
 /* R, G, B of a pixel; from full-range YCbCr by the equations of JFIF (ITU-T T.871, clause 7). */

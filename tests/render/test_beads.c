@@ -23,6 +23,7 @@
 #include "render/paint/canvas.h"
 #include "render/stage/beads.h"
 #include "render/stage/camera.h"
+#include "render/stage/magnify.h"
 #include "render/view/views.h"
 #include "sim/chain/chain_internal.h"
 #include "tests/sweeps.h"

@@ -12,9 +12,9 @@
 #include <cmocka.h>
 
 #include "render/movie/composer_private.h"
-#include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/camera_steps.h"
+#include "render/stage/magnify.h"
 
 static void require(enum bead_error err, const struct bead_message *msg)
 {

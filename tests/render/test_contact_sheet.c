@@ -4,7 +4,7 @@
 #include "beadreel/render.h"
 #include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"
-#include "render/view/area.h"
+#include "render/view/orientation.h"
 #include "sessions.h"
 #include "strokes.h"
 #include "tests/scratch.h"

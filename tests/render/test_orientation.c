@@ -14,6 +14,7 @@
 #include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"
 #include "render/movie/composer.h"
+#include "render/view/orientation.h"
 #include "render/view/views.h"
 #include "tests/sweeps.h"
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "beadreel/scene.h"
-#include "render/encode/page.h"
+#include "render/draw/picture_times.h"
 
 /* What is asked for, within the run. */
 static void spans_are_within_the_run(void **)

@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "render/view/held.h"
+#include "render/view/profile_hold.h"
 #include "sim/chain/chain_internal.h"
 
 enum { BEADS = 61, COUNT = 60 };

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "render/view/profile_scan.h"
+#include "render/draw/smooth_curve.h"
 
 enum { COUNT = 40, PARTS = 8 };
 

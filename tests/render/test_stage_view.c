@@ -6,7 +6,7 @@
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "render/paint/canvas.h"
-#include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/chain_internal.h"

@@ -2,10 +2,12 @@
 /* The strokes of views in a plot of 400 x 200 pixels at 100, 50, as numbers: curves, bars, lines of theory, rings of sensors are
  * where the samples put them. */
 #include "render/draw/looks.h"
-#include "render/stage/along.h"
+#include "render/stage/magnify.h"
 #include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
 #include "render/view/horizon.h"
+#include "render/view/theory_line.h"
 #include "render/view/views.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/compacton.h"

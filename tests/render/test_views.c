@@ -9,7 +9,7 @@
 
 #include "beadreel/view.h"
 #include "render/view/views.h"
-#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 
 static void test_rows_are_complete(void **state)
 {

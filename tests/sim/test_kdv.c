@@ -3,6 +3,7 @@
 #include "tests/motions.h"
 
 #include "sim/base/wide.h"
+#include "sim/equation/etd.h"
 #include "sim/equation/kdv_solver.h"
 
 static const struct bead_system *const kdv = &bead_system_kdv;
