@@ -337,12 +337,11 @@ static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
 static enum bead_error sweep_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     const struct bead_overrides overrides = command_overrides(command);
-    struct bead_sweep *sweep = NULL;
+    BEAD_LEFT_TO(bead_sweep_left) struct bead_sweep *sweep = NULL;
     BEAD_TRY(bead_sweep_open(command->job.input, &overrides, &sweep, msg));
     size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
     if (command->json) {
         command_describe_sweep(out, command->job.input, sweep, command->config);
-        bead_sweep_close(sweep);
         return BEAD_OK;
     }
     print_head(out, command->job.input, "sweep", bead_sweep_scene(sweep));
@@ -353,7 +352,6 @@ static enum bead_error sweep_info(const struct command *command, FILE *out, stru
         fprintf(out, "part %zu of %zu: %zu of %zu chains\n", part, parts, known, all);
     fprintf(out, "computed by version %s\n", bead_sweep_version(sweep));
     print_outputs(out, bead_sweep_scene(sweep));
-    bead_sweep_close(sweep);
     return BEAD_OK;
 }
 

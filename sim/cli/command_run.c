@@ -324,7 +324,7 @@ static enum bead_error write_merged(const struct bead_sweep *sweep, const char *
 
 enum bead_error command_merge(const struct command *command, struct bead_message *msg)
 {
-    struct bead_sweep *sweep = NULL;
+    BEAD_LEFT_TO(bead_sweep_left) struct bead_sweep *sweep = NULL;
     const char *dot = command->job.output ? strrchr(command->job.output, '.') : NULL;
     if (!dot || strcmp(dot, ".h5") != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: name the merged file with -o FILE.h5");
@@ -333,13 +333,9 @@ enum bead_error command_merge(const struct command *command, struct bead_message
             return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: -o %s would replace one of the parts; give another name",
                              command->job.output);
     }
-    enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
-    if (!err)
-        err = write_merged(sweep, command->job.output, msg);
-    if (!err) {
-        const struct bead_result result = {.path = command->job.output, .bytes = bead_file_bytes(command->job.output)};
-        print_results(&result, 1);
-    }
-    bead_sweep_close(sweep);
-    return err;
+    BEAD_TRY(bead_sweep_merge(command->parts, command->part_count, &sweep, msg));
+    BEAD_TRY(write_merged(sweep, command->job.output, msg));
+    const struct bead_result result = {.path = command->job.output, .bytes = bead_file_bytes(command->job.output)};
+    print_results(&result, 1);
+    return BEAD_OK;
 }

@@ -37,6 +37,7 @@ bool bead_config_find(char *path, size_t size);
 /* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
 void bead_config_free(struct bead_config *config);
+BEAD_LEAVES(bead_config_left, struct bead_config, bead_config_free)
 BEAD_LEAVES(bead_scene_left, struct bead_scene, bead_scene_free)
 
 /* The chains of sweeps, as in scenes. */

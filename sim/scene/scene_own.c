@@ -254,20 +254,19 @@ static enum bead_error take_config(struct own *own, struct bead_node *outputs)
 
 enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *path, bool *changed)
 {
-    struct bead_config *config = NULL;
+    BEAD_LEFT_TO(bead_config_left) struct bead_config *config = NULL;
     const struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
-    enum bead_error err = path ? bead_yaml_note_part(reader->yaml, path, reader->msg) : BEAD_OK;
-    if (!err && path)
-        err = bead_config_load(path, &config, reader->msg);
+    if (path) {
+        BEAD_TRY(bead_yaml_note_part(reader->yaml, path, reader->msg));
+        BEAD_TRY(bead_config_load(path, &config, reader->msg));
+    }
     struct own own = {reader, config, false};
     struct bead_node *outputs = bead_node_get(root.node, "outputs", NULL);
-    if (!err && config && root.node->kind == BEAD_NODE_MAP)
-        err = take_config(&own, outputs);
-    if (!err)
-        err = bead_scene_take_waves(reader, &root, &own.changed);
-    if (!err && outputs)
-        err = take_all_colours(&own, &(struct bead_at){&root, "outputs", 0, outputs});
-    bead_config_free(config);
+    if (config && root.node->kind == BEAD_NODE_MAP)
+        BEAD_TRY(take_config(&own, outputs));
+    BEAD_TRY(bead_scene_take_waves(reader, &root, &own.changed));
+    if (outputs)
+        BEAD_TRY(take_all_colours(&own, &(struct bead_at){&root, "outputs", 0, outputs}));
     *changed = *changed || own.changed;
-    return err;
+    return BEAD_OK;
 }

@@ -170,12 +170,10 @@ static enum bead_error make_configuration(struct bead_session *s, const struct b
     return bead_session_choose(s, bead_sweep_scene(sweep), BEAD_OF_CONFIGURATION, &chain, &s->scene, msg);
 }
 
-BEAD_LEAVES(sweep_left, struct bead_sweep, bead_sweep_close)
-
 static enum bead_error load_configuration(struct bead_session *s, struct bead_message *msg)
 {
     BEAD_LEFT_TO(bead_scene_left) struct bead_scene *scene = NULL;
-    BEAD_LEFT_TO(sweep_left) struct bead_sweep *sweep = NULL;
+    BEAD_LEFT_TO(bead_sweep_left) struct bead_sweep *sweep = NULL;
     size_t panel = 0, index = 0;
     BEAD_TRY(open_configurations(s, &scene, &sweep, msg));
     if (!sweep)

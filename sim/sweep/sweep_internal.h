@@ -17,6 +17,7 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct be
 BEAD_INTERNAL const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
 BEAD_INTERNAL void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
 BEAD_LEAVES(bead_sweep_chain_left, struct bead_sweep_chain, bead_sweep_chain_destroy)
+BEAD_LEAVES(bead_sweep_left, struct bead_sweep, bead_sweep_close)
 /* A scene of this one chain, without outputs, as a tree of the sweep's scene, for an override of the whole. Errors: SCENE, MEMORY.
  */
 BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
