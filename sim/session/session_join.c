@@ -50,7 +50,8 @@ static enum bead_error read_at(const struct joined_chain *of, double time, unsig
     static const double near = 1e-6;
     struct bead_trajectory *t = of->trajectory;
     const struct bead_grid *grid = bead_trajectory_grid(t);
-    const size_t beads = bead_chain_beads(t->chains[of->number]), count = bead_grid_count(grid);
+    const struct bead_chain *chain = t->chains[of->number];
+    const size_t beads = bead_chain_beads(chain), contacts = bead_chain_contacts(chain), count = bead_grid_count(grid);
     const double place = grid->every > 0 ? (time - grid->start) / grid->every : 0, whole = floor(place + near);
     const double part = place - whole > near ? place - whole : 0;
     if (!(whole >= 0) || !(whole + (part > 0) < (double)count))
@@ -59,7 +60,7 @@ static enum bead_error read_at(const struct joined_chain *of, double time, unsig
         struct bead_sample sample;
         BEAD_TRY(bead_trajectory_read(t, (size_t)whole + (size_t)side, of->number, fields, &sample, msg));
         for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
-            for (size_t j = 0; sample.field[f] && j < beads; j++)
+            for (size_t j = 0; sample.field[f] && j < (bead_field_info(f)->of_contacts ? contacts : beads); j++)
                 into[f][j] = side == 0 ? sample.field[f][j] : into[f][j] + part * (sample.field[f][j] - into[f][j]);
         }
     }
