@@ -20,9 +20,9 @@ enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe,
     size_t contacts = bead_chain_contacts(chain);
     BEAD_TRY(bead_new(pulses, 1, msg, "the pulses of %zu contacts", contacts));
     struct bead_pulses *p = *pulses;
-    BEAD_TRY(bead_new(&p->memory, contacts * BEAD_CURVE_POINTS + 1, msg, "the pulses of %zu contacts", contacts));
-    BEAD_TRY(bead_new(&p->low, contacts + 1, msg, "the pulses of %zu contacts", contacts));
-    BEAD_TRY(bead_new(&p->track, contacts + 1, msg, "the pulses of %zu contacts", contacts));
+    BEAD_TRY(bead_new(&p->memory, contacts * BEAD_CURVE_POINTS, msg, "the pulses of %zu contacts", contacts));
+    BEAD_TRY(bead_new(&p->low, contacts, msg, "the pulses of %zu contacts", contacts));
+    BEAD_TRY(bead_new(&p->track, contacts, msg, "the pulses of %zu contacts", contacts));
     p->chain = chain;
     p->contacts = contacts;
     p->probe = probe;

@@ -389,7 +389,7 @@ static enum bead_error copy_curves(const struct bead_spectra *s, const struct cu
                                    struct bead_message *msg)
 {
     *found = (struct bead_spectral){.columns = curves->count, .rows = curves->taken, .step = s->grid.every, .first = s->grid.start};
-    BEAD_TRY(bead_new(&found->values, curves->count * curves->taken + 1, msg, "curves"));
+    BEAD_TRY(bead_new(&found->values, curves->count * curves->taken, msg, "curves"));
     for (size_t p = 0; p < curves->count; p++)
         memcpy(found->values + p * curves->taken, curves->values + p * s->samples, curves->taken * sizeof *found->values);
     return BEAD_OK;

@@ -226,7 +226,7 @@ static struct cells count_cells(const struct bead_chain_spec *chain, struct bead
 
 static enum bead_error make_groups(const struct bead_reader *reader, struct bead_sweep_spec *sweep, size_t count)
 {
-    return bead_new(&sweep->groups, count + 1, reader->msg, "a sweep");
+    return bead_new(&sweep->groups, count, reader->msg, "a sweep");
 }
 
 /* Adds the group with `total` cells up; false: the fixed ones do not allow it. */

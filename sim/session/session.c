@@ -184,7 +184,7 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
     if (s->begun)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: a session runs once, and this one has: open another", s->job.input);
     s->begun = true;
-    BEAD_TRY(bead_new(&s->results, 2 * s->made_count + 1, msg, "a session")); /* each with a second file, at most */
+    BEAD_TRY(bead_new(&s->results, 2 * s->made_count, msg, "a session")); /* each with a second file, at most */
     const enum bead_error err = s->sweep ? bead_session_run_sweep(s, msg) : bead_session_run_single(s, msg);
     bead_session_release(s);
     return err;

@@ -90,7 +90,7 @@ static enum bead_error check_sensitivities(struct bead_session *s, size_t chain,
     struct bead_sensitivity_run run = run_of(s, chain);
     run.refinement = BEAD_UNCERTAINTY_FINER;
     list_peaks(check->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
-    BEAD_TRY(bead_new(&own->checks, own->count + 1, msg, "a session"));
+    BEAD_TRY(bead_new(&own->checks, own->count, msg, "a session"));
     BEAD_TRY(bead_sensitivities_find(&run, list, own->count, own->checks, msg));
     check->sensitivities = own->checks;
     check->sensitivity_count = own->count;
@@ -105,7 +105,7 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
     const struct bead_sensitivity_run run = run_of(s, chain);
     BEAD_TRY(mark_contacts(s, chain, mark, msg));
     const size_t count = list_peaks(o->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
-    BEAD_TRY(bead_new(&own->found, count + 1, msg, "a session"));
+    BEAD_TRY(bead_new(&own->found, count, msg, "a session"));
     own->count = count;
     enum bead_error err = bead_sensitivities_find(&run, list, count, own->found, msg);
     for (size_t i = 0; i < count; i++)

@@ -140,8 +140,8 @@ enum bead_error bead_decay_of(const struct bead_decay_profiles *profiles, size_t
     struct bead_decay decay[2];
     BEAD_FREED size_t *drawn = NULL;
     BEAD_FREED double *mean = NULL;
-    BEAD_TRY(bead_new(&drawn, profiles->rows + 1, msg, "decay lengths"));
-    BEAD_TRY(bead_new(&mean, profiles->places + 1, msg, "decay lengths"));
+    BEAD_TRY(bead_new(&drawn, profiles->rows, msg, "decay lengths"));
+    BEAD_TRY(bead_new(&mean, profiles->places, msg, "decay lengths"));
     for (size_t i = 0; i < profiles->rows; i++)
         drawn[i] = i;
     fit_both(profiles, drawn, mean, decay);

@@ -149,7 +149,7 @@ enum bead_error bead_threshold_fit(const struct bead_group_results *groups, size
 {
     *t = (struct bead_threshold){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     BEAD_FREED double *magnetism;
-    BEAD_TRY(bead_new(&magnetism, 2 * count + 1, msg, "a threshold"));
+    BEAD_TRY(bead_new(&magnetism, 2 * count, msg, "a threshold"));
     double *mean = magnetism + count;
     for (size_t g = 0; g < count; g++) {
         magnetism[g] = groups[g].magnetism;
@@ -196,7 +196,7 @@ enum bead_error bead_threshold_uncertainty(const struct bead_group_results *grou
                                            struct bead_message *msg)
 {
     BEAD_FREED double *memory;
-    BEAD_TRY(bead_new(&memory, 3 * count + 1, msg, "a threshold"));
+    BEAD_TRY(bead_new(&memory, 3 * count, msg, "a threshold"));
     double *magnetism = memory, *mean = memory + count;
     const struct moving m = {how, magnetism, mean, memory + 2 * count, count};
     for (size_t g = 0; g < count; g++) {

@@ -183,7 +183,7 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
     p.logs = memory;
     p.changes = p.logs + (all + 1) * 2 * p.random;
     p.values = p.changes + (all + 1) * p.shown->beads;
-    enum bead_error err = bead_new(decays, all + 1, msg, "the decay of a sweep");
+    enum bead_error err = bead_new(decays, all, msg, "the decay of a sweep");
     for (size_t first = 0; first < all && !err;) {
         struct bead_sweep_decay *d = &(*decays)[(*count)++];
         *d = (struct bead_sweep_decay){.magnetism = entries[first].magnetism, .count = bead_sweep_alike(entries, all, first)};

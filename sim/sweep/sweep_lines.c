@@ -193,8 +193,8 @@ static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve
 {
     struct bead_sweep_line *line = &lines->of[curve];
     const size_t numbers = numbers_of(lines, curve);
-    BEAD_TRY(bead_new(&line->mean.values, numbers + 1, msg, "the mean of %zu chains", line->chains));
-    BEAD_TRY(bead_new(&line->error, numbers + 1, msg, "the mean of %zu chains", line->chains));
+    BEAD_TRY(bead_new(&line->mean.values, numbers, msg, "the mean of %zu chains", line->chains));
+    BEAD_TRY(bead_new(&line->error, numbers, msg, "the mean of %zu chains", line->chains));
     for (size_t i = 0; i < numbers; i++) {
         struct bead_summary summary;
         size_t used = 0;
@@ -228,7 +228,7 @@ static enum bead_error find_uncertainties(const struct bead_sweep_lines *lines, 
 {
     struct bead_sweep_line *line = &lines->of[curve];
     const size_t rows = line->mean.rows, numbers = numbers_of(lines, curve);
-    BEAD_TRY(bead_new(&line->uncertainty, numbers + 1, msg, "the mean of %zu chains", line->chains));
+    BEAD_TRY(bead_new(&line->uncertainty, numbers, msg, "the mean of %zu chains", line->chains));
     for (size_t i = 0; i < numbers; i++) {
         line->uncertainty[i] = bound_of_number(lines, curve, i, values);
         if (i < numbers - lines->laws && i % rows > 0) /* fmax ignores NaN */
@@ -262,9 +262,9 @@ static enum bead_error find_frequencies(const struct bead_sweep_lines *lines, si
     const size_t found = line->mean.columns * line->bands, chains = line->chains;
     BEAD_FREED double *room = NULL, *moves = NULL;
     size_t used = 0;
-    BEAD_TRY(bead_new(&line->of_frequency, found + 1, msg, "the mean of %zu chains", chains));
-    BEAD_TRY(bead_new(&room, line->mean.columns * line->mean.rows + 1, msg, "the mean of %zu chains", chains));
-    BEAD_TRY(bead_new(&moves, found * chains + 1, msg, "the mean of %zu chains", chains));
+    BEAD_TRY(bead_new(&line->of_frequency, found, msg, "the mean of %zu chains", chains));
+    BEAD_TRY(bead_new(&room, line->mean.columns * line->mean.rows, msg, "the mean of %zu chains", chains));
+    BEAD_TRY(bead_new(&moves, found * chains, msg, "the mean of %zu chains", chains));
     for (size_t c = 0; c < lines->chain_count; c++) {
         if (lines->chains[c].curve == curve && lines->chains[c].checked)
             find_moves(line, &lines->chains[c], room, chains, moves + used++);

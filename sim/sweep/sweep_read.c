@@ -60,7 +60,7 @@ static void read_spins(struct reader *r, int64_t *whole)
     if (bead_sweep_is_over(r->panel)) /* the scene has the values */
         return;
     BEAD_FREED unsigned char *bits = NULL;
-    if (r->h5->error || (r->h5->error = bead_new(&bits, r->count * cells + 1, r->h5->msg, "a sweep")))
+    if (r->h5->error || (r->h5->error = bead_new(&bits, r->count * cells, r->h5->msg, "a sweep")))
         return;
     bead_h5_read_table(r->h5, name_of(r, "", "spins"), BEAD_H5_BYTE, r->count, cells, bits);
     for (size_t i = 0; i < r->count * cells && !r->h5->error; i++) {

@@ -25,7 +25,7 @@ enum bead_error bead_sweep_entries(const struct bead_sweep *sweep, size_t panel,
 {
     const size_t all = sweep->panels[panel].shown.configurations;
     *count = 0;
-    BEAD_TRY(bead_new(entries, all + 1, msg, "the statistics of a sweep"));
+    BEAD_TRY(bead_new(entries, all, msg, "the statistics of a sweep"));
     for (size_t i = 0; i < all; i++) {
         struct bead_sweep_configuration c;
         if (bead_sweep_configuration(sweep, panel, i, &c))
@@ -47,8 +47,8 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
                                  struct bead_message *msg)
 {
     BEAD_FREED double *sorted = NULL;
-    BEAD_TRY(bead_new(&sorted, count + 1, msg, "the statistics of a sweep"));
-    BEAD_TRY(bead_new(&s->rows, count + 1, msg, "the statistics of a sweep"));
+    BEAD_TRY(bead_new(&sorted, count, msg, "the statistics of a sweep"));
+    BEAD_TRY(bead_new(&s->rows, count, msg, "the statistics of a sweep"));
     for (size_t first = 0; first < count;) {
         struct bead_sweep_row *row = &s->rows[s->row_count++];
         *row = (struct bead_sweep_row){
@@ -70,7 +70,7 @@ static const char *name_of(const char *threshold)
 static enum bead_error groups_of(const struct bead_sweep_statistics *s, struct bead_group_results **groups,
                                  struct bead_message *msg)
 {
-    BEAD_TRY(bead_new(groups, s->row_count + 1, msg, "the statistics of a sweep"));
+    BEAD_TRY(bead_new(groups, s->row_count, msg, "the statistics of a sweep"));
     for (size_t i = 0; i < s->row_count; i++)
         (*groups)[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
     return BEAD_OK;
@@ -164,9 +164,9 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
     size_t count = 0;
     BEAD_FREED struct sweep_entry *entries = NULL;
     BEAD_TRY(bead_sweep_entries(sweep, panel, &entries, &count, msg));
-    enum bead_error err = bead_new(&s->values, count + 1, msg, "the statistics of a sweep");
+    enum bead_error err = bead_new(&s->values, count, msg, "the statistics of a sweep");
     if (!err)
-        err = bead_new(&s->indices, count + 1, msg, "the statistics of a sweep");
+        err = bead_new(&s->indices, count, msg, "the statistics of a sweep");
     for (size_t i = 0; i < count && !err; i++) {
         bead_sweep_configuration(sweep, panel, entries[i].index, &c);
         s->values[i] = c.peaks[place].force / s->clean;

@@ -118,7 +118,7 @@ struct worst {
 static enum bead_error find_worst(const struct out *o, size_t panel, struct worst **worst, struct bead_message *msg)
 {
     const size_t places = bead_sweep_panel(o->sweep, panel)->places;
-    BEAD_TRY(bead_new(worst, places + 1, msg, "a table"));
+    BEAD_TRY(bead_new(worst, places, msg, "a table"));
     for (size_t i = 0; i < places; i++)
         (*worst)[i] = (struct worst){bead_sweep_uncertainty(o->sweep, panel, i), bead_sweep_time_uncertainty(o->sweep, panel, i)};
     return BEAD_OK;

@@ -40,7 +40,7 @@ static void write_scales(struct writer *w, int64_t *numbers)
 {
     const struct bead_sweep_panel *shown = &w->panel->shown;
     BEAD_FREED const char **places = NULL;
-    if (w->h5->error || (w->h5->error = bead_new(&places, shown->places + 1, w->h5->msg, "a sweep's file")))
+    if (w->h5->error || (w->h5->error = bead_new(&places, shown->places, w->h5->msg, "a sweep's file")))
         return;
     for (size_t i = 0; i < shown->places; i++)
         places[i] = bead_sweep_place(w->sweep, (size_t)(w->panel - w->sweep->panels), i);
@@ -132,7 +132,7 @@ static void write_values(struct writer *w)
     BEAD_FREED double *values = NULL;
     const char *paths[64];
     const hid_t scales[2] = {w->configuration, -1};
-    if (w->h5->error || (w->h5->error = bead_new(&values, w->rows.count * keys + 1, w->h5->msg, "a sweep's file")))
+    if (w->h5->error || (w->h5->error = bead_new(&values, w->rows.count * keys, w->h5->msg, "a sweep's file")))
         return;
     for (size_t k = 0; k < keys; k++) {
         paths[k] = over->keys[k].path;
@@ -148,7 +148,7 @@ static void write_spins(struct writer *w, double *numbers)
     const size_t cells = w->panel->shown.spec->cells, panel = (size_t)(w->panel - w->sweep->panels);
     const hid_t scales[2] = {w->configuration, -1};
     BEAD_FREED unsigned char *bits = NULL;
-    if (w->h5->error || (w->h5->error = bead_new(&bits, w->rows.count * cells + 1, w->h5->msg, "a sweep's file")))
+    if (w->h5->error || (w->h5->error = bead_new(&bits, w->rows.count * cells, w->h5->msg, "a sweep's file")))
         return;
     for (size_t i = 0; i < w->rows.count; i++) {
         struct bead_sweep_configuration c;

@@ -109,7 +109,7 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
     if (!sink->fields)
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
-    BEAD_TRY(bead_new(&sink->rows, context->chain_count + 1, msg, "a trajectory"));
+    BEAD_TRY(bead_new(&sink->rows, context->chain_count, msg, "a trajectory"));
     if (output->curves.uncertainty && !context->replayed)
         BEAD_TRY(bead_new(&sink->uncertainty, BEAD_SERIES_COUNT * context->chain_count, msg, "a trajectory"));
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
