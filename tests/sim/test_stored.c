@@ -225,53 +225,41 @@ static void parts_are_in_the_whole(void **)
 }
 
 /* A table of one stored run, or of two, or of their difference. */
-static void table_of(const char *run, const char *other, bool difference, struct lines *to)
+static void table_of(const char *run, const char *other, bool difference, const char *show, struct lines *to)
 {
     static char bytes[4][BYTES_MOST];
     static int turn;
-    char path[2][600], out[600];
+    char path[2][600], out[600], setting[200];
     const char *const others[] = {path[1]};
     snprintf(path[0], sizeof path[0], "%s/all/%s", directory, run);
     snprintf(path[1], sizeof path[1], "%s/all/%s", directory, other ? other : "");
     snprintf(out, sizeof out, "%s/one/t.csv", directory);
-    play_counts((struct bead_job){
-        .input = path[0],
-        .others = others,
-        .other_count = other != NULL,
-        .difference = difference,
-        .output = out,
-        .threads = 1,
-        .settings = (const char *const[]){"outputs=[{table: t.csv, show: sensors, field: velocity, beads: [2, 5]}]"},
-        .setting_count = 1});
+    snprintf(setting, sizeof setting, "outputs=[{table: t.csv, show: sensors, %s: [2, 5]}]", show);
+    play_counts((struct bead_job){.input = path[0],
+                                  .others = others,
+                                  .other_count = other != NULL,
+                                  .difference = difference,
+                                  .output = out,
+                                  .threads = 1,
+                                  .settings = (const char *const[]){setting},
+                                  .setting_count = 1});
     read_file("one", "t.csv", bytes[turn = (turn + 1) % 4]);
     split(bytes[turn], to);
 }
 
-/* Two runs in one table have the columns that each has alone, and their difference is that of these. */
-static void two_runs_are_those_alone(void **)
+static void two_are_those_alone(const char *show, const char *column)
 {
     static struct lines alone[2], both, difference;
-    char path[600], out[600];
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    snprintf(out, sizeof out, "%s/all", directory);
-    for (int k = 0; k < 2; k++) {
-        char text[400];
-        snprintf(text, sizeof text,
-                 "chain: {striker: {velocity: %g m/s}, beads: [{bead: brass, count: %d}]}\nsimulate: {until: 60 us}\n"
-                 "outputs: [{trajectory: %s.h5, every: 2 us, fields: [velocity]}]\n",
-                 k ? 0.5 : 0.3, 6, k ? "b" : "a");
-        write_text(path, text);
-        play_counts((struct bead_job){.input = path, .output = out, .threads = 1});
-        table_of(k ? "b.h5" : "a.h5", NULL, false, &alone[k]);
-    }
-    table_of("a.h5", "b.h5", false, &both);
-    table_of("a.h5", "b.h5", true, &difference);
-    assert_true(alone[0].rows == 32 && alone[1].rows == 32 && both.rows == 32 && difference.rows == 32);
-    for (size_t row = 1; row < 32; row++) {
-        for (int bead = 2; bead <= 5; bead += 3) {
+    for (int k = 0; k < 2; k++)
+        table_of(k ? "b.h5" : "a.h5", NULL, false, show, &alone[k]);
+    table_of("a.h5", "b.h5", false, show, &both);
+    table_of("a.h5", "b.h5", true, show, &difference);
+    assert_true(alone[0].rows == 302 && alone[1].rows == 302 && both.rows == 302 && difference.rows == 302);
+    for (size_t row = 1; row < 302; row++) {
+        for (int place = 2; place <= 5; place += 3) {
             char name[2][400];
             double value[3];
-            snprintf(name[0], sizeof name[0], "bead_%d_velocity", bead);
+            snprintf(name[0], sizeof name[0], column, place);
             for (int k = 0; k < 2; k++) {
                 const char *cell = alone[k].cell[row][column_of(&alone[k], name[0])];
                 snprintf(name[1], sizeof name[1], "%s/all/%c/%.20s", directory, 'a' + k, name[0]);
@@ -282,6 +270,26 @@ static void two_runs_are_those_alone(void **)
             assert_true(value[2] == value[1] - value[0]);
         }
     }
+}
+
+/* Two runs in one table have the columns that each has alone, and their difference is that of these. They have more samples than
+ * are read at a time. */
+static void two_runs_are_those_alone(void **)
+{
+    char path[600], out[600];
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    snprintf(out, sizeof out, "%s/all", directory);
+    for (int k = 0; k < 2; k++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "chain: {striker: {velocity: %g m/s}, beads: [{bead: brass, count: %d}]}\nsimulate: {until: 60 us}\n"
+                 "outputs: [{trajectory: %s.h5, every: 0.2 us, fields: [velocity, contact-force]}]\n",
+                 k ? 0.5 : 0.3, 6, k ? "b" : "a");
+        write_text(path, text);
+        play_counts((struct bead_job){.input = path, .output = out, .threads = 1});
+    }
+    two_are_those_alone("field: velocity, beads", "bead_%d_velocity");
+    two_are_those_alone("contacts", "contact_%d"); /* one fewer than beads */
 }
 
 /* The file for ParaView beside a trajectory is a tree of tags: each is closed, in order, and there is a grid for each time. */
