@@ -175,8 +175,10 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
  * skipped. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
+    if (!v->area)
+        return BEAD_OK;
     const struct bead_area_image image = bead_orientation_image(v->setup.orientation, v->places, v->indices, v->plot.width);
-    bool before = v->area; /* the first sample */
+    bool before = true; /* the first sample */
     while (before && v->done < to) {
         BEAD_TRY(bead_area_colour(v->area, &v->table, v->done, to, &image, &v->done, msg));
         before = v->done == v->first && v->done < to;
