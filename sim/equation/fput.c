@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/base/number.h"
 #include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/fput_string.h"
@@ -322,7 +323,7 @@ static enum bead_error check_energy(struct bead_motion *m, struct bead_message *
         msg, BEAD_ERROR_NUMBERS,
         "at %.6g the energy of the string has a relative error of %.3g: a spring has torn (alpha, beta or the amplitude is too "
         "large), or steps of %.3g are too long for `%s`",
-        m->stepper.end.t, error, m->h, m->stepper.method->info.name);
+        m->stepper.end.t, bead_told_error(error), m->h, m->stepper.method->info.name);
 }
 
 static enum bead_error fput_step(struct bead_motion *m, struct bead_message *msg)

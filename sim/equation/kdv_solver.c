@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "sim/base/number.h"
 #include "sim/base/wide.h"
 
 /* ---- starts, and the grid that they and their later shapes need ---- */
@@ -282,7 +283,7 @@ static enum bead_error kdv_solver_check(struct bead_kdv *kdv, struct bead_messag
             msg, BEAD_ERROR_NUMBERS,
             "at %.6g the integral of u^2 has a relative error of %.3g: steps of %.3g are too long, or a grid of %zu points is too "
             "coarse",
-            kdv->end.t, change, kdv->h, kdv->spectral.points);
+            kdv->end.t, bead_told_error(change), kdv->h, kdv->spectral.points);
     kdv->tail = fmax(kdv->tail, tail_of(kdv));
     if (kdv->tail <= kdv->tail_limit)
         return BEAD_OK;

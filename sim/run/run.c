@@ -6,6 +6,7 @@
 
 #include "sim/adjoint/record.h"
 #include "sim/base/memory.h"
+#include "sim/base/number.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/drive.h"
 #include "sim/integrate/dense.h"
@@ -276,8 +277,8 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
         "%schain%s%s: at %.6g s the energy is off by %.3g of the energy put in: steps of %.3g s are too long for `%s`; %s",
-        bead_chain_place(c, "chain", at, sizeof at), space, name, s->t1, error, run->stepping.variable ? s->h : run->stepping.step,
-        s->method->info.name, advice);
+        bead_chain_place(c, "chain", at, sizeof at), space, name, s->t1, bead_told_error(error),
+        run->stepping.variable ? s->h : run->stepping.step, s->method->info.name, advice);
 }
 
 /* Before a state leaves the run. */

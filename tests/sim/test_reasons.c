@@ -49,6 +49,8 @@ static const struct {
     {KDV("320"), "table: a.csv, show: measures", ": steps of 0.5 are too long, or a grid of 320 points is too coarse"},
     {"chain: {equation: fput, points: 16, alpha: 9, start: {mode: 1, amplitude: 1}}\n" UNTIL("40"), "table: a.csv, show: modes",
      " the energy of the string has a relative error of "},
+    {"chain: {equation: fput, points: 16, alpha: 900, start: {mode: 1, amplitude: 100}}\n" UNTIL("40"), "table: a.csv, show: modes",
+     " the energy of the string has a relative error of inf: a spring has torn"}, /* it has overflowed */
     {"chain: {drive: {force: '0 0', amplitude: 1 N}, " BEADS "}\n" UNTIL("1 ms"), "table: a.csv",
      "chain.drive.force: has 1 points; must be "},
     {"materials: {m: {density: 1e-5 kg/m3, radius: 1e-9 m, modulus: 1 GPa, poisson: 0.3}}\n" CHAIN, "table: a.csv", /* 4 pi / 3 */
