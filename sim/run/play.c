@@ -177,7 +177,7 @@ static enum bead_error give_sample(struct pass *pass, size_t chain, const struct
     if (err || over)
         return err;
     *any = true;
-    pass->counts->samples++;
+    pass->counts->samples += due->fields != 0;
     return bead_due_deliver(pass->play, due, &sample, msg);
 }
 

@@ -115,11 +115,18 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
     char fields[128];
     fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
     if (n->grid.every > 0 && n->fields) {
-        const struct bead_grid *g = &n->grid;
-        fprintf(out, "  samples: %s of %s %zu to %zu, %zu times%s%s%s until %s%s\n", plan_fields(n->fields, fields, sizeof fields),
-                bead_chain_spec(s->chains[0])->system->points, n->beads.first, n->beads.last, bead_grid_count(g),
-                g->times ? "" : " every ", g->times ? "" : time_words(s, g->every, false).text, g->widens ? " at first" : "",
-                time_words(s, g->end, true).text, plan_sharing(s, m));
+        struct bead_grid g = n->grid;
+        char closer[80] = "";
+        if (n->each > 1) {
+            g.every *= (double)n->each;
+            snprintf(closer, sizeof closer, ", and %zu times as many of the check run", n->each);
+        }
+        const size_t count = bead_grid_count(&g);
+        fprintf(out, "  samples: %s of %s %zu to %zu, %zu time%s%s%s%s until %s%s%s\n",
+                plan_fields(n->fields, fields, sizeof fields), bead_chain_spec(s->chains[0])->system->points, n->beads.first,
+                n->beads.last, count, count == 1 ? "" : "s", g.times ? "" : " every ",
+                g.times ? "" : time_words(s, g.every, false).text, g.widens ? " at first" : "", time_words(s, g.end, true).text,
+                plan_sharing(s, m), closer);
     } else {
         fprintf(out, "  samples: none\n");
     }

@@ -49,6 +49,9 @@ static const struct {
      "{table: 0.csv, show: extremes, field: velocity, every: 10 us}",
      {"time: until the first pulse has passed the end, at "}},
     {BEADS, "{table: 0.csv, show: profiles, at: [3 ms]}", {"time: until 3 ms, the latest that an output asks for\n"}},
+    {BEADS WHOLE("0.1 ms"),
+     "{table: 0.csv, show: measures}",
+     {"time: 0.1 ms as asked\n", "  samples: ", "check run: uncertainties of "}},
     {TWO WHOLE("2 ms"),
      "{table: 0.csv, show: energy, every: 0.25 ms}",
      {"time: 2 ms as asked\n", "accuracy: 1e-11 instead of the default, for ", "  samples: "}},
@@ -135,9 +138,9 @@ static void comparisons_are_run(const char *plan, const struct bead_session *ses
     if (again && strstr(plan, "with steps of ") && !strstr(plan, " of the tolerance"))
         assert_true(fabs((double)counts->comparison_steps - (double)run->steps / longer) <= 2);
     assert_int_equal(counts->passes, 1 + (strstr(plan, "found by a scouting run") || strstr(plan, "the latest that")));
-    const char *const samples = strstr(plan, "\n  samples: ") + 1, *const every = strstr(samples, " times every "),
-                      *const times = every ? every : strstr(samples, " times until ");
-    const double planned = times ? behind(strrchr(strndupa(samples, (size_t)(times - samples)), ','), ", ") : 0;
+    const char *const samples = strstr(plan, "\n  samples: ") + 1, *const line = strndupa(samples, strcspn(samples, "\n")),
+                      *const times = strstr(line, " time");
+    const double planned = times ? behind(strrchr(strndupa(line, (size_t)(times - line)), ','), ", ") : 0;
     assert_true((double)counts->samples == (double)count * planned);
     assert_int_equal(counts->samples == 0, has_line(plan, "skipped: samples"));
 }
