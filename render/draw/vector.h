@@ -12,10 +12,26 @@
 
 #include "beadreel/error.h"
 
+/* Text drawn on this surface goes to `file`, which is borrowed until the surface is destroyed. False: out of memory. */
+bool bead_svg_text_keep(cairo_surface_t *surface, FILE *file);
 /* The file that collects the text of this context; NULL: text is drawn. */
 FILE *bead_svg_text_file(cairo_t *cr);
 /* A line, from `x` on a baseline `y` below the origin of the context, in Pango's units and the context's colour. */
 void bead_svg_text_line(FILE *file, cairo_t *cr, PangoLayout *layout, const PangoLayoutLine *line, int x, int y);
+
+/* An SVG file in parts. */
+struct bead_svg_parts {
+    char *text; /* the drawing, a whole file */
+    size_t length;
+    char *words; /* elements that come last, above everything else */
+    size_t words_length;
+    const char *title, *description, *source; /* "" or NULL: none; source: the scene */
+};
+
+/* Writes the drawing to `file`, with its title, description, scene (as metadata) and words, and with "surface604", "image607" and
+ * "source-610" numbered from 1 in order of appearance. Write errors show when the file is closed. Errors: UNSUPPORTED (too many
+ * names). */
+BEAD_CHECK enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg);
 
 /* PDF files: features that cairo lacks, a text in place of the figure for those who cannot see it, and the scene. */
 

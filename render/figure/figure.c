@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Creates a figure and feeds it samples; figure_draw.c finishes it. */
+/* Creates a figure and feeds it samples; figure_write.c finishes it. */
 #include <stdlib.h>
 
 #include "render/draw/picture_times.h"

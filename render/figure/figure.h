@@ -116,8 +116,8 @@ struct bead_axis_kind bead_figure_axis(const struct bead_figure *figure, bool up
 
 void bead_figure_destroy(struct bead_figure *figure);
 
-/* ---- among the files of a figure: figure.c (made and fed), figure_layout.c (places), figure_draw.c (headings,
- * bar, the end) ---- */
+/* ---- among the files of a figure: figure.c (made and fed), figure_layout.c (places), figure_draw.c (headings, bar),
+ * figure_write.c (the end) ---- */
 
 /* True for views that show all times (spacetime, sensors); others show one moment. */
 bool bead_tile_collects(const struct bead_tile *panel);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills with a caption or of several panels, images and plots side by side, in a table of rows: plots of a row are equally high,
- * those of a column are above each other, panels of one field share a range of colours and a bar. panels.c (made, fed and
- * drawn), panels_layout.c (places). */
+ * those of a column are above each other, panels of one field share a range of colours and a bar. panels.c (made and fed),
+ * panels_layout.c (places), panels_write.c (the end). */
 #pragma once
 
 #include "render/figure/figure.h"
