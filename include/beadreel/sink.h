@@ -46,7 +46,7 @@ struct bead_needs {
     unsigned comparison;    /* BEAD_FIELD_BITs, of `fields`, that samples must also have from the comparison run: see bead_sample */
     bool uncertainty;       /* of these maxima: their uncertainty, in the outcome (a comparison run) */
     bool checked;           /* samples and outcomes come with those of a finer run, `check` */
-    size_t each;            /* of so many samples only the first is of the run, the others of the finer run alone; 0: all are */
+    size_t each;            /* only the first of so many samples has fields of the run, the others those of `check` alone; 0: all */
     bool deviation;         /* of these maxima: their standard deviations, from the tolerances of materials, in the outcome */
     bool sensitivities;     /* of maxima of contacts: in the outcome */
     const size_t *contacts; /* their numbers, rising; NULL: see bead_sensitive_contacts (sim/run/sensitivity.h) */
