@@ -356,8 +356,9 @@ static const struct bead_equation equation = {
 const struct bead_system bead_system_shock = {
     .name = "shock",
     .help =
-        "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2); the ripples in the 20 points "
-        "behind a shock, up to 0.1 % of its height, are made by the scheme (WENO of fifth order)",
+        "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2); values are means over the "
+        "cells of the grid; the ripples in the 20 points behind a shock, up to 0.1 % of its height, are made by the scheme (WENO of "
+        "fifth order)",
     .label = "shock",
     BEAD_EQUATION_WORDS,
     .equation = &equation,

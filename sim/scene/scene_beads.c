@@ -50,8 +50,8 @@ static const struct bead_option rows[] = {
     VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "Young's modulus of these beads, instead of that of the material",
            "70 GPa", BEAD_USUAL_MODULUS),
     VARIED(BEAD_VARIED_GAP, "gap", "m", 0, 1e3, 0,
-           "free space to the left of each of these beads; the first of the chain has none, because the striker touches it at "
-           "time 0. For random gaps see chain.beads.disorder",
+           "free space to the left of each of these beads, besides the gap of the chain; the first of the chain has none, because "
+           "the striker touches it at time 0. For random gaps see chain.beads.disorder",
            "10 um"),
     VARIED(BEAD_VARIED_SPRING, "spring", "N/m", 0, 1e30, 0,
            "stiffness of a spring that holds each of these beads at its place: force against its displacement. For pendulums see "

@@ -293,8 +293,8 @@ static const struct bead_option chain_rows[] = {
     {"precompression", BEAD_OPTION_NUMBER, CHAIN(precompression), .unit = "N", .initial = "0 N", .low = 0, .high = 1e12,
      .help = "static force that presses the chain together", .example = "10 N"},
     {"gap", BEAD_OPTION_NUMBER, CHAIN(gap), .unit = "m", .initial = "0 m", .low = 0, .high = 1e3,
-     .help = "free space between every two beads; the striker touches the first at time 0. For single ones see chain.beads, for "
-             "random ones chain.beads.disorder",
+     .help = "free space between every two beads, to which the gaps of single ones in chain.beads add, and random ones in "
+             "chain.beads.disorder; the striker touches the first at time 0",
      .example = "10 um"},
     {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .usual = {0, 0.785}, .likely = BEAD_LIKELY("deg"), .initial = "0 deg",
      .low = 0, .high = 1.5707963267948968, .shape = "from 0 to 90 deg (1.5708 rad)",

@@ -32,13 +32,15 @@ struct bead_made {
 };
 
 /* Warnings, in this order: numbers that can hardly be meant; the default choice of what is shown; a file system without locks; a
- * step that is too long; a model that does not hold; chains without an end; peaks that could not be verified. */
+ * step that is too long; a model that does not hold; forces of a sweep that were still rising; chains without an end; peaks that
+ * could not be verified. */
 enum {
     SESSION_DOUBTS,
     SESSION_CHOSEN,
     SESSION_NO_LOCKS,
     SESSION_LONG_STEP,
     SESSION_INVALID,
+    SESSION_RISING,
     SESSION_LOST,
     SESSION_UNVERIFIED,
     SESSION_WARNINGS

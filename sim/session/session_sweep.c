@@ -129,6 +129,30 @@ static enum bead_error judge_and_keep(struct bead_session *s, struct bead_made *
     return judged;
 }
 
+/* Peaks that the end of the run has cut may be off by more than any column says. */
+static void find_rising(struct bead_session *s)
+{
+    size_t rising = 0, all = 0;
+    for (size_t p = 0; p < bead_sweep_panels(s->sweep); p++) {
+        const struct bead_sweep_panel *panel = bead_sweep_panel(s->sweep, p);
+        struct bead_sweep_configuration found;
+        for (size_t i = 0; i < panel->configurations; i++) {
+            bool open = false;
+            if (!bead_sweep_configuration(s->sweep, p, i, &found))
+                continue;
+            for (size_t k = 0; k < panel->places; k++)
+                open = open || found.peaks[k].open;
+            rising += open;
+            all++;
+        }
+    }
+    if (rising > 0)
+        snprintf(s->warning[SESSION_RISING], sizeof s->warning[SESSION_RISING],
+                 "sweep: in %zu of %zu chains a measured force was still rising when the run ended, so its peak may be larger than said: "
+                 "measure beads that are farther from the end, or give a later simulate.until",
+                 rising, all);
+}
+
 enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_message *msg)
 {
     struct bead_made *results = NULL;
@@ -148,6 +172,8 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         BEAD_TRY(compute(s, journal, msg));
     if (!s->sweep_read)
         BEAD_TRY(judge_and_keep(s, results, msg));
+    if (needs_results(s))
+        find_rising(s);
     BEAD_TRY(bead_session_finish_all(s, msg));
     /* Only now: if a plot fails or the run is stopped, the same command need not compute the chains again. */
     if (journal)

@@ -116,6 +116,9 @@ ok "a sensor twice" wrong 'sensor: `a` is the name of another sensor' '{of: [{be
 for range in 'uniform 3..1' 'uniform 0..1' 'uniform 1 mm..2 kg' 'uniform 1 mm..2' 'uniform 0.5..2 mm..3' 'uniform 1' 'gauss 3' 'normal 50 %' 'normal 1 mm' normal '[1, 2]' ''; do
     ok "disorder: $range" wrong 'chain.beads.0.disorder.radius: is ' "{bead: brass, disorder: {radius: $range}}"
 done
+positions() { "$beadsim" run.yaml -q -o . --set "chain={gap: 1 mm, beads: [{bead: brass, count: 2}, {bead: brass, gap: 3 mm, count: 2}]}" \
+    --set 'outputs=[{table: gaps.csv, show: chain}]' >"$T/out" && awk -F, 'NR > 3 {printf "%.3f ", 1e3 * ($5 - last)} {last = $5}' gaps.csv; }
+ok "gaps of a chain and of its beads add up" test "$(positions)" = "10.520 13.520 13.520 "
 ok "nothing to stand between" wrong 'chain.beads.0.decorate: needs two or more' '{bead: brass, decorate: brass}'
 ok "... in cells" wrong 'chain.beads.0.decorate: needs two or more' '{cell: [brass, brass], count: 3, decorate: brass}'
 ok "none of a material" wrong 'chain.beads.0.cell.1: is none of them' '{cell: [brass, 0 ptfe]}'

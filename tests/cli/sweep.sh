@@ -66,6 +66,7 @@ fi
 # Few cells behind soft ones: forces still rise when the front arrives at the end, and the table says so.
 ok "a short chain with soft beads" exits 0 "$beadsim" "$T/sweep.yaml" -o "$T/soft" --only configurations.csv --set sweep.cells=8 --set sweep.fixed=3 \
     --set 'sweep.cell=[large-steel, large-steel, ptfe]'
+ok "... warns" says "of $(($(wc -l <"$T/soft/configurations.csv") - 1)) chains a measured force was still rising"
 ok "... has peaks that are none yet" grep -q ',open,' "$T/soft/configurations.csv"
 ok "... and a long one has not" lacks_file ',open,' "$T/whole/configurations.csv"
 ok "no fixed cells, written as 0.0" exits 0 "$beadsim" "$T/sweep.yaml" --set sweep.fixed=0.0 --set sweep.measure='{peak: none, decay: true}' \
