@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* For any scene: each table is, byte for byte, what it is alone, in another order, with other threads, instructions and windows,
+ * and made later from a trajectory, whole or of the part that it needs. */
+#include "support.h"
+
+#include <sys/stat.h>
+
+#include "sessions.h"
+#include "tests/any_scene.h"
+#include "tests/scratch.h"
+
+enum { SCENES = 40, POSSIBLE = 282 /* of their outputs: the others are not for their chains */, BYTES_MOST = 1 << 18 };
+
+static char scene_path[600];
+
+/* The scene with these of its outputs, as 0.csv, 1.csv and so on, and `last`. */
+static void write_any(const struct any_scene *scene, const bool *with, bool reversed, bool plain, const char *last)
+{
+    char text[12000];
+    size_t used = (size_t)snprintf(text, sizeof text, "%soutputs:\n", scene->chain.text);
+    for (size_t i = 0; i < ANY_OUTPUTS; i++) {
+        const size_t o = reversed ? ANY_OUTPUTS - 1 - i : i;
+        if (with[o])
+            used += (size_t)snprintf(text + used, sizeof text - used, "  - {table: %zu.csv, %s%s}\n", o, scene->output[o],
+                                     plain && !scene->at_rest[o] ? ", uncertainty: false" : "");
+    }
+    snprintf(text + used, sizeof text - used, "%s", last);
+    snprintf(scene_path, sizeof scene_path, "%s/scene.yaml", directory);
+    write_text(scene_path, text);
+}
+
+static const char *in(const char *folder, const char *name)
+{
+    static char path[4][600];
+    static size_t turn;
+    turn = (turn + 1) % 4;
+    snprintf(path[turn], sizeof path[turn], "%s/%s", directory, folder);
+    mkdir(path[turn], 0777);
+    snprintf(path[turn], sizeof path[turn], "%s/%s/%s", directory, folder, name);
+    return path[turn];
+}
+
+static enum bead_error try_job(struct bead_job job, struct bead_message *msg)
+{
+    static const struct bead_sink_type *const *sinks[2];
+    struct bead_session *session = NULL;
+    sinks[0] = bead_data_sinks();
+    job.sinks = sinks;
+    job.size = sizeof job;
+    enum bead_error err = bead_session_open(&job, &session, msg);
+    if (!err)
+        err = bead_session_run(session, msg);
+    bead_session_close(session);
+    return err;
+}
+
+/* Which outputs the chains can have. */
+static size_t find_possible(const struct any_scene *scene, bool with[ANY_OUTPUTS])
+{
+    size_t count = 0;
+    for (size_t o = 0; o < ANY_OUTPUTS; o++) {
+        struct bead_message msg = {""};
+        bool one[ANY_OUTPUTS] = {false};
+        one[o] = true;
+        write_any(scene, one, false, false, "");
+        const enum bead_error err = try_job((struct bead_job){.input = scene_path, .output = in("alone", ""), .threads = 1}, &msg);
+        if (err && err != BEAD_ERROR_SCENE)
+            fail_msg("%s\n%s: '%s'", scene->chain.text, scene->output[o], msg.text);
+        with[o] = !err;
+        count += !err;
+    }
+    return count;
+}
+
+static char bytes[2][BYTES_MOST];
+
+static void read_file(const char *path, char *to)
+{
+    FILE *file = fopen(path, "r");
+    if (!file)
+        fail_msg("no %s", path);
+    const size_t count = fread(to, 1, BYTES_MOST, file);
+    fclose(file);
+    if (count < 20 || count >= BYTES_MOST)
+        fail_msg("%zu bytes in %s", count, path);
+    to[count] = '\0';
+}
+
+/* Measures of the last sample have its time as their note, those of the end of a run have none. */
+static void drop_notes(char *text)
+{
+    for (char *at = text; (at = strstr(at, ",at ")); at++)
+        memmove(at + 1, at + strcspn(at, "\n"), strlen(at + strcspn(at, "\n")) + 1);
+}
+
+static void drop_row(char *text, const char *name)
+{
+    for (char *at = text; (at = strstr(at, name));) {
+        while (at > text && at[-1] != '\n')
+            at--;
+        memmove(at, strchr(at, '\n') + 1, strlen(strchr(at, '\n')));
+    }
+}
+
+static void same(const struct any_scene *scene, size_t output, const char *how)
+{
+    size_t at = 0;
+    while (bytes[0][at] && bytes[0][at] == bytes[1][at])
+        at++;
+    if (bytes[0][at] || bytes[1][at])
+        fail_msg("%s\n%s, %s: '%.60s', or '%.60s'", scene->chain.text, scene->output[output], how, bytes[0] + at, bytes[1] + at);
+}
+
+static void compare(const struct any_scene *scene, size_t output, const char *one, const char *other, bool stored)
+{
+    read_file(one, bytes[0]);
+    read_file(other, bytes[1]);
+    for (int i = 0; i < 2; i++) {
+        drop_notes(bytes[i]);
+        if (stored) { /* what is absorbed, and the moment of the front's arrival, only the run knows */
+            drop_row(bytes[i], "reflected energy,");
+            drop_row(bytes[i], "clean index,");
+        }
+    }
+    same(scene, output, stored ? "of the stored run" : other);
+}
+
+static void compare_all(const struct any_scene *scene, const bool *with, const char *folder, const char *other)
+{
+    for (size_t o = 0; o < ANY_OUTPUTS; o++) {
+        char name[20];
+        snprintf(name, sizeof name, "%zu.csv", o);
+        if (with[o])
+            compare(scene, o, in(folder, name), in(other, name), false);
+    }
+}
+
+static void play_together(const struct any_scene *scene, const bool *with)
+{
+    write_any(scene, with, false, false, "");
+    const struct bead_counts first = play_counts((struct bead_job){.input = scene_path, .output = in("all", ""), .threads = 1});
+    write_any(scene, with, true, false, "");
+    const struct bead_counts second = play_counts((struct bead_job){
+        .input = scene_path, .output = in("other", ""), .threads = 3, .instructions = "portable", .full_window = true});
+    assert_int_equal(first.samples, second.samples);
+    assert_int_equal(first.steps, second.steps);
+    assert_int_equal(first.comparison_steps, second.comparison_steps);
+    assert_int_equal(first.passes, second.passes);
+    assert_true(second.evaluations >= first.evaluations);
+    compare_all(scene, with, "all", "alone");
+    compare_all(scene, with, "all", "other");
+}
+
+/* A trajectory of some beads and times: what it was asked for, in samples of the scene. */
+struct part {
+    size_t first, last, from, to;
+};
+
+static enum bead_error from_stored(const char *run, size_t output, struct bead_message *msg)
+{
+    char name[20];
+    snprintf(name, sizeof name, "%zu.csv", output);
+    unlink(in("later", name));
+    return try_job((struct bead_job){.input = in("all", run), .output = in("later", name), .threads = 2}, msg);
+}
+
+/* Leaves the rows whose times, the first column, are between those of samples; returns how many. */
+static size_t cut_rows(char *text, double from, double to)
+{
+    size_t count = 0;
+    char *keep = text + strcspn(text, "\n") + 1;
+    for (char *line = keep, *next; *line; line = next) {
+        const double time = strtod(line, NULL);
+        next = line + strcspn(line, "\n") + 1;
+        if (time < from || time > to)
+            continue;
+        memmove(keep, line, (size_t)(next - line));
+        keep += next - line;
+        count++;
+    }
+    *keep = '\0';
+    return count;
+}
+
+/* Curves of places are there where the part has them, for the times that it has: a run that was stopped ends early, but none begins
+ * late. */
+static void play_part(const struct any_scene *scene, size_t output, const struct part *part)
+{
+    struct bead_message msg = {""};
+    char name[20];
+    const struct any_places *p = &scene->places[output];
+    const enum bead_error err = from_stored("part.h5", output, &msg);
+    snprintf(name, sizeof name, "%zu.csv", output);
+    read_file(in("all", name), bytes[0]);
+    const size_t rows = cut_rows(bytes[0], (double)part->from * scene->every, (double)part->to * scene->every);
+    if (!err != (p->low >= part->first && p->high <= part->last && (!p->timed || p->from >= part->from) && rows > 0))
+        fail_msg("%s\n%s of beads %zu to %zu, samples %zu to %zu: '%s'", scene->chain.text, scene->output[output], part->first,
+                 part->last, part->from, part->to, msg.text);
+    if (err)
+        return;
+    read_file(in("later", name), bytes[1]);
+    same(scene, output, "of the stored part");
+}
+
+/* Tables are made beside a trajectory, without the uncertainties that only runs tell, and then from it. */
+static void play_later(const struct any_scene *scene, const bool *with, struct drawing *d)
+{
+    char last[600];
+    struct part part = {.first = draw_below(d, scene->beads)};
+    part.last = part.first + 1 + draw_below(d, scene->beads - part.first);
+    any_time(d, 1, &part.from, &part.to);
+    snprintf(last, sizeof last,
+             "  - {trajectory: run.h5, every: %.17g s, fields: all}\n  - {trajectory: part.h5, every: %.17g s, fields: all, beads: "
+             "[%zu, "
+             "%zu], time: [%.17g s, %.17g s]}\n",
+             scene->every, scene->every, part.first, part.last, (double)part.from * scene->every, (double)part.to * scene->every);
+    write_any(scene, with, false, true, last);
+    play_counts((struct bead_job){.input = scene_path, .output = in("all", ""), .threads = 2});
+    for (size_t o = 0; o < ANY_OUTPUTS; o++) {
+        struct bead_message msg = {""};
+        char name[20];
+        snprintf(name, sizeof name, "%zu.csv", o);
+        if (!with[o])
+            continue;
+        const enum bead_error err = from_stored("run.h5", o, &msg);
+        if (!err != !scene->of_run[o])
+            fail_msg("%s\n%s: '%s'", scene->chain.text, scene->output[o], msg.text);
+        if (!err)
+            compare(scene, o, in("all", name), in("later", name), true);
+        if (scene->places[o].are)
+            play_part(scene, o, &part);
+    }
+}
+
+static void tables_depend_on_their_scene_alone(void **)
+{
+    size_t possible = 0;
+    struct drawing parts = {SCENES, 0};
+    for (uint64_t seed = 0; seed < SCENES; seed++) {
+        const struct any_scene scene = any_draw(seed);
+        bool with[ANY_OUTPUTS];
+        const size_t count = find_possible(&scene, with);
+        possible += count;
+        if (count > 0)
+            play_together(&scene, with);
+        if (count > 0 && seed % 2)
+            play_later(&scene, with, &parts);
+    }
+    assert_int_equal(possible, POSSIBLE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tables_depend_on_their_scene_alone)};
+    return cmocka_run_group_tests_name("any run", tests, make_directory, remove_directory);
+}
