@@ -185,11 +185,32 @@ void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *
     }
 }
 
-/* Composes name, number of beads, M, tilt or absorbing end, and precompression, as much as fits. */
+/* What moves besides the striker. */
+static void other_movers(const struct bead_chain *chain, char *out, size_t size)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    const struct bead_start *start = spec->starts;
+    size_t count = spec->start_count;
+    if (count > 0 && start->bead == 0)
+        start++, count--;
+    char words[160];
+    out[0] = '\0';
+    if (spec->drive.bead > 0 && (spec->drive.displacement || spec->drive.force)) {
+        bead_mover_name(chain, words, sizeof words);
+        snprintf(out, size, "bead %zu %s", spec->drive.bead, words);
+    } else if (count == 1) {
+        const bool moves = start->velocity != 0;
+        bead_quantity(moves ? start->velocity : start->displacement, moves ? "m/s" : "m", 3, words, sizeof words);
+        snprintf(out, size, "bead %zu starts %s %s", start->bead, moves ? "with" : "at", words);
+    } else if (count > 1)
+        snprintf(out, size, "%zu beads that do not start at rest", count);
+}
+
+/* Composes name, number of beads, M, tilt or absorbing end, precompression, gaps, and what else moves, as much as fits. */
 void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
-    char name[160], pieces[5][200] = {"", "", "", "", ""}, text[sizeof row->header], number[128];
+    char name[160], pieces[7][200] = {""}, text[sizeof row->header], number[128];
     bead_text_escape(bead_chain_title(row->chain), name, sizeof name);
     if (*name)
         snprintf(pieces[0], sizeof pieces[0], "<b>%s</b>", name);
@@ -210,8 +231,13 @@ void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *
         bead_quantity(spec->precompression, "N", 3, number, sizeof number);
         snprintf(pieces[4], sizeof pieces[4], "precompressed by %s", number);
     }
+    if (spec->gap > 0) {
+        bead_quantity(spec->gap, "m", 3, number, sizeof number);
+        snprintf(pieces[5], sizeof pieces[5], "gaps of %s", number);
+    }
+    other_movers(row->chain, pieces[6], sizeof pieces[6]);
     row->header[0] = '\0';
-    for (size_t i = 0; i < 5; i++) {
+    for (size_t i = 0; i < sizeof pieces / sizeof *pieces; i++) {
         const char *apart = *row->header ? "    " : "";
         if (!*pieces[i] || strlen(row->header) + strlen(apart) + strlen(pieces[i]) >= sizeof text)
             continue;

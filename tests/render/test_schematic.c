@@ -131,6 +131,35 @@ static void ends_that_absorb_are_no_free_ends(void **state)
     clear_stage(s);
 }
 
+/* Whatever moves besides the striker, and gaps that are too small to be seen, are in the line above. */
+static void what_moves_is_said(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys, *said[2];
+    } cases[] = {
+        {"drive: {bead: 6, displacement: sine, amplitude: 1 um, frequency: 8 kHz}",
+         {"striker at rest", "bead 6 driven at 8.00\u00a0kHz"}},
+        {"gap: 3 um, start: [{bead: last, velocity: -2 m/s}]", {"gaps of 3.00\u00a0µm", "bead 9 starts with \u22122.00\u00a0m/s"}},
+        {"striker: {velocity: 1 m/s}, start: [{bead: 4, displacement: 2 um}]", {"striker, 1 m/s", "bead 4 starts at 2.00\u00a0µm"}},
+        {"start: [{bead: [0, 3], velocity: 1 m/s}]", {"striker, 1 m/s", "3 beads that do not start at rest"}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct seen seen = {.count = 0};
+        char text[400];
+        snprintf(text, sizeof text,
+                 "chain: {beads: [{bead: brass, count: 9}], %s}\nsimulate: {until: 1 ms}\noutputs: [{plot: a.png, "
+                 "show: setup}]\n",
+                 cases[i].keys);
+        struct staged *s = set_stage(text);
+        assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+        for (size_t k = 0; k < 2; k++) {
+            if (!wrote(&seen, cases[i].said[k]))
+                fail_msg("'%s' is not said of %s", cases[i].said[k], cases[i].keys);
+        }
+        clear_stage(s);
+    }
+}
+
 /* Many entries and many chains: a line names those left out. */
 static void what_is_left_out_is_said(void **state)
 {
@@ -337,6 +366,7 @@ int main(void)
         cmocka_unit_test(sensors_have_names_of_any_length),
         cmocka_unit_test(the_experiment_is_all_there),
         cmocka_unit_test(ends_that_absorb_are_no_free_ends),
+        cmocka_unit_test(what_moves_is_said),
         cmocka_unit_test(what_is_left_out_is_said),
         cmocka_unit_test(long_cells),
         cmocka_unit_test(too_small_is_an_error),
