@@ -33,7 +33,7 @@ static void automatic(enum bead_scale scale, bool is_signed, double least, doubl
     if (!(least <= largest) || !(size > 0)) {
         *low = 0;
         *high = 1;
-    } else if (least < 0 && largest > 0 && (is_signed || fmin(-least, largest) > ripple * size)) {
+    } else if (is_signed || fmin(-least, largest) > ripple * size) {
         *high = rounded(size);
         *low = -*high;
     } else {

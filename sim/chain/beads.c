@@ -11,7 +11,7 @@ static const enum bead_field fields[] = {BEAD_FIELD_FORCE,    BEAD_FIELD_CONTACT
 static bool field_signed(const struct bead_chain_spec *spec, enum bead_field field)
 {
     return field == BEAD_FIELD_VELOCITY || field == BEAD_FIELD_DISPLACEMENT ||
-           (field == BEAD_FIELD_COMPRESSION && !spec->law.row->one_sided);
+           (field != BEAD_FIELD_ENERGY && !spec->law.row->one_sided); /* forces and compressions of springs that pull */
 }
 
 static void describe(const struct bead_chain_spec *, char *text, size_t size)

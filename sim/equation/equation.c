@@ -7,7 +7,7 @@ bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_fi
 {
     const struct bead_equation_spec *e = &spec->equation;
     bool unknown = spec->system->fields ? field == BEAD_FIELD_STRAIN : field == e->variable;
-    bool positive = e->start == BEAD_START_SOLITONS || (e->start == BEAD_START_PULSE && e->amplitude > 0);
+    bool positive = (e->start == BEAD_START_SOLITONS && e->nonlinearity > 0) || (e->start == BEAD_START_PULSE && e->amplitude > 0);
     return field != BEAD_FIELD_ENERGY && !(unknown && positive);
 }
 

@@ -11,6 +11,7 @@
 
 #include "render/colour/colour_range.h"
 #include "render/view/area.h"
+#include "sim/chain/chain_internal.h"
 #include "tests/sweeps.h"
 
 static const struct bead_colours_asked automatic = {.scale = BEAD_SCALE_LINEAR, .range = {NAN, NAN}};
@@ -37,6 +38,8 @@ static void test_ranges(void **state)
         {{0, 7.97, 7, 0, 0, 0, 0}, false, {0, 8, false, false, 0, 0}},
         {{0, 7.9, 7, 0, 0, 0, 0}, false, {0, 7.9, false, false, 0, 0}},
         {{-0.9996, 0.9995, 0.9, 0, 0, 0, 0}, true, {-1, 1, false, false, 0, 0}},
+        {{0, 7.97, 7, 0, 0, 0, 0}, true, {-8, 8, false, false, 0, 0}}, /* zero stays in the middle */
+        {{-7, -5, 7, 0, 0, 0, 0}, true, {-7, 7, false, false, 0, 0}},
         {{-49.8, 0, 40, 0, 0, 0, 0}, false, {-50, 0, false, false, 0, 0}},
         /* about a static force of 20, unless contacts open; a bead at the end has 10, and events are left out there, too */
         {{10, 20.5, 20, 0, 20, 0.5, 0.4}, false, {19.5, 20.5, false, true, 0, 20}},
@@ -155,12 +158,43 @@ static void test_rest_is_the_static_force(void **state)
     }
 }
 
+/* Whatever can be below 0 has a map with zero in its middle: forces of springs that pull, and solitons that are troughs. */
+static void test_what_can_be_negative_has_signs(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *chain;
+        enum bead_field field;
+        bool signs;
+    } cases[] = {
+        {"beads: [{bead: glass}]", BEAD_FIELD_FORCE, false},
+        {"beads: [{bead: glass}]", BEAD_FIELD_VELOCITY, true},
+        {"law: {fpu-alpha: 1, stiffness: 1 N/m}, beads: [{bead: glass}]", BEAD_FIELD_FORCE, true},
+        {"law: {fpu-alpha: 1, stiffness: 1 N/m}, beads: [{bead: glass}]", BEAD_FIELD_CONTACT_FORCE, true},
+        {"law: {fpu-alpha: 1, stiffness: 1 N/m}, beads: [{bead: glass}]", BEAD_FIELD_COMPRESSION, true},
+        {"law: {fpu-alpha: 1, stiffness: 1 N/m}, beads: [{bead: glass}]", BEAD_FIELD_ENERGY, false},
+        {"equation: kdv, length: 40, start: {solitons: [{speed: 3, at: 8}]}", BEAD_FIELD_DISPLACEMENT, false},
+        {"equation: kdv, length: 40, nonlinearity: -2, start: {solitons: [{speed: 3, at: 8}]}", BEAD_FIELD_DISPLACEMENT, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[300];
+        struct bead_chain *chain = NULL;
+        snprintf(text, sizeof text, "chain: {%s}\nsimulate: {until: 1}\noutputs: [{image: a.png}]\n", cases[i].chain);
+        struct bead_scene *scene = parse(text);
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        if (bead_chain_signed(chain, cases[i].field) != cases[i].signs)
+            fail_msg("case %zu", i);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_given_ranges_stay),
         cmocka_unit_test(test_rest_is_the_static_force),
+        cmocka_unit_test(test_what_can_be_negative_has_signs),
         cmocka_unit_test(test_short_and_narrow_is_no_wave),
         cmocka_unit_test(test_dark_pictures_have_a_dark_map),
     };
