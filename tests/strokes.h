@@ -18,7 +18,7 @@
 
 #include "beadreel/view.h"
 
-enum { STROKES_MOST = 20000, STROKE_POINTS_MOST = 400000 };
+enum { STROKES_MOST = 40000, STROKE_POINTS_MOST = 800000 };
 
 /* One path. A point is where a line goes, or begins; a curve gives its end. */
 struct stroke {

@@ -62,7 +62,7 @@ static enum bead_error figure_measure(const struct bead_figure *f, const struct 
 {
     const bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
     struct bead_colours ins[SIZES + PARTS];
-    const size_t count = stand_ins(f, !unknown, axis_sizes, ins);
+    const size_t count = stand_ins(f, !unknown, f->colours.scale == BEAD_SCALE_LOG ? bar_sizes : axis_sizes, ins);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create(surface);
     enum bead_error err = BEAD_OK;
@@ -158,8 +158,8 @@ static void place_cell(const struct plan *plan, struct bead_cell *cell, const st
     const struct bead_figure *f = plan->f;
     const struct bead_lane *top = &plan->grid.rows.lane[boxes->row];
     const struct bead_rect *first = &boxes->at;
-    bool last = cell->column + 1 == f->columns; /* to the border of the page */
-    int width = last ? f->area.x + f->area.width - (int)f->margin - first->x : first->width, trust = (int)plan->trust;
+    bool free = cell->column + 1 == f->columns && !(cell->row > 0 && has_bar(f)); /* to the border of the page */
+    int width = free ? f->area.x + f->area.width - (int)f->margin - first->x : first->width, trust = (int)plan->trust;
     int y = (int)(top->at - top->reach[0]), above = first->y - trust;
     cell->heading = (struct bead_rect){first->x, y, first->width, above - y};
     cell->trust = (struct bead_rect){first->x, above, width, (int)round(trust_share * trust)};
@@ -182,7 +182,7 @@ static void place_all(const struct plan *plan)
         f->bar = (struct bead_rect){right + (int)plan->bar_gap, first->y, (int)fmax(4, bar_width(f)), bottom - first->y};
 }
 
-/* The labels of the last column are part of the gap between it and the bar. */
+/* The labels of the last column are part of the gap between it and the bar, whose lowest one reaches below its end. */
 static void measure_bar(struct plan *plan)
 {
     struct bead_figure *f = plan->f;
@@ -194,6 +194,7 @@ static void measure_bar(struct plan *plan)
         struct bead_layout_box *box = &plan->grid.boxes[i];
         reach = box->column + 1 == f->columns ? fmax(reach, ceil(box->reach.right)) : reach;
         box->reach.right = box->column + 1 == f->columns ? 0 : box->reach.right;
+        box->reach.bottom = fmax(box->reach.bottom, box->row + 1 == plan->grid.rows.count ? 0.45 * f->look.tick : 0);
     }
     plan->bar_gap = fmax(reach + round(0.5 * em), round(bar_gap * em));
     bar->least = fmax(plan->bar_least, plan->bar_gap + bar_width(f) + ceil(bar_labels(f, f->bar.height)));

@@ -236,7 +236,7 @@ static const struct stroke *bar_of(const struct words *title)
 
 /* Titles of axes are in the middle of their frames, those of bars of their bars, as far from their numbers as all; those that are
  * too long for their axis have smaller type, and letters that reach below their lines come nearer. */
-static void titles_are_in_place(const struct drawn *d)
+static void titles_are_in_place(const struct drawn *d, size_t page)
 {
     /* Empirical, pt, read off the pages of these tests: titles below their axes, and beside them. The layout gives lines of type
      * their room; how much of it is ink depends on letters, font and size. */
@@ -244,7 +244,7 @@ static void titles_are_in_place(const struct drawn *d)
     for (size_t i = 0; i < d->texts; i++) {
         const struct words *a = &d->text[i];
         const struct stroke *frame = a->upwards || strstr(a->text, " (") ? frame_of(a, a->upwards) : NULL;
-        if (!frame)
+        if (!frame || a->page != page)
             continue;
         const double gap = title_gap(d, a, frame, a->upwards);
         const struct stroke *bar = a->upwards && a->low[0] > frame->high[0] ? bar_of(a) : NULL;
@@ -304,24 +304,29 @@ static inline void margins_are_kept(const struct drawn *d, size_t page, double w
         fail_msg("page %zu: words are %g from the left edge, %g from the lower one", page, left, below);
 }
 
-/* All but margins, whose bounds are those of some pages. */
-static inline void page_laws_inside(const struct drawn *d, double width, double height)
+/* Of all pages. */
+static inline void page_laws_everywhere(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
     triangles_are_even();
-    titles_are_in_place(d);
-    for (size_t p = 0; p < d->pages; p++) {
-        frames_are_aligned(p);
-        for (int along = 0; along < 2; along++)
-            axes_have_scales(d, p, along);
-    }
+}
+
+/* Of pages whose axes have one scale, from end to end. */
+static inline void page_laws_of_axes(const struct drawn *d, size_t page)
+{
+    titles_are_in_place(d, page);
+    frames_are_aligned(page);
+    for (int along = 0; along < 2; along++)
+        axes_have_scales(d, page, along);
 }
 
 static inline void page_laws(const struct drawn *d, double width, double height)
 {
-    page_laws_inside(d, width, height);
-    for (size_t p = 0; p < d->pages; p++)
+    page_laws_everywhere(d, width, height);
+    for (size_t p = 0; p < d->pages; p++) {
+        page_laws_of_axes(d, p);
         margins_are_kept(d, p, width, height);
+    }
 }
 
 #endif

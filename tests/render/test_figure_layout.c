@@ -124,14 +124,14 @@ static void assert_width(const struct bead_figure *f, bool few, const char *what
 }
 
 /* A line for each heading, and one for the horizon, between a chain's plots and the parts above; as wide as the plots, the last one
- * up to the margin. */
+ * up to the margin, unless that is beside the bar of colours. */
 static void assert_headings(const struct laid *l, bool trust)
 {
     const struct bead_figure *f = l->figure;
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         const struct bead_rect *plot = &cell->panel[0].plot;
-        const bool last = cell->column + 1 == f->columns;
+        const bool last = cell->column + 1 == f->columns && (cell->row == 0 || f->bar.width == 0);
         const int above = cell->row > 0 ? bottom_of(&f->cells[c - f->columns].panel[f->view_count - 1].plot) : bottom_of(&f->line);
         assert_true(cell->heading.x == plot->x && cell->heading.width == plot->width && cell->heading.y >= above);
         assert_true(cell->heading.height >= (f->cell_count > 1 ? (int)l->look.title : 0));
