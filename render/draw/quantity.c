@@ -21,7 +21,7 @@ enum { PREFIXES = sizeof prefixes / sizeof prefixes[0] };
 static const struct {
     const char *unit;
     int largest;
-} units[] = {{"s", 0}, {"m", 0}, {"m/s", 0}, {"N", 12}, {"J", 12}, {"Pa", 12}, {"Hz", 12}, {"W", 12}};
+} units[] = {{"s", 0}, {"m", 0}, {"m/s", 0}, {"g", 3}, {"N", 12}, {"J", 12}, {"Pa", 12}, {"Hz", 12}, {"W", 12}};
 
 double bead_power_of_ten(int exponent)
 {

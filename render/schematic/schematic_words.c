@@ -20,20 +20,12 @@ static bool says_radius(const char *label, const char *radius)
     return *number && strstr(label, number);
 }
 
-static void mass_words(const struct bead_material *material, char *out, size_t size)
-{
-    if (material->mass < 1)
-        bead_quantity(1e3 * material->mass, "g", 3, out, size);
-    else
-        snprintf(out, size, "%.3g kg", material->mass);
-}
-
 static void material_words(const struct bead_material *material, char *out, size_t size)
 {
     char name[96], radius[32], mass[32];
     bead_text_escape(material->label, name, sizeof name);
     bead_quantity(material->radius, "m", 3, radius, sizeof radius);
-    mass_words(material, mass, sizeof mass);
+    bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
     if (says_radius(material->label, radius))
         snprintf(out, size, "%s, %s", name, mass);
     else
@@ -51,7 +43,7 @@ void bead_materials_words(const struct bead_material *first, const struct bead_m
     for (int i = 0; i < 2; i++) {
         bead_text_escape(ends[i]->label, name[i], sizeof name[i]);
         bead_quantity(ends[i]->radius, "m", 3, radius[i], sizeof radius[i]);
-        mass_words(ends[i], mass[i], sizeof mass[i]);
+        bead_quantity(1e3 * ends[i]->mass, "g", 3, mass[i], sizeof mass[i]);
     }
     const bool named_alike = strcmp(name[0], name[1]) == 0;
     snprintf(out, size, "%s%s%s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], named_alike ? "" : " to ",

@@ -243,6 +243,8 @@ static void test_quantities(void **state)
     assert_quantity(2.5e-6, "s", 2, "2.5\u00a0\u00b5s");
     assert_quantity(7200, "s", 2, "7200\u00a0s");
     assert_quantity(0.443, "m/s", 3, "443\u00a0mm/s");
+    assert_quantity(32.7e-12, "g", 3, "32.7\u00a0pg");
+    assert_quantity(3.27e10, "g", 3, "32\u2009700\u2009000\u00a0kg");
     assert_quantity(3600, "", 2, "3600");
     assert_quantity(1234567, "", 2, "1\u2009234\u2009567");
     assert_quantity(0.25, "", 2, "0.25");
