@@ -44,7 +44,8 @@ static double reach_along(struct bead_composer *c, size_t chain, double length)
     struct bead_axis axis;
     struct bead_rect plot = {0, 0, (int)length, (int)length};
     size_t last = bead_composer_span(c, chain).last;
-    const char *title = bead_axis_along_chain(&axis, c->setup.chains[chain], false, 0, last, length, c->look.tick, true);
+    const bool contacts = bead_field_info(c->setup.output->shown.field)->of_contacts; /* the longer word */
+    const char *title = bead_axis_along_chain(&axis, c->setup.chains[chain], contacts, 0, last, length, c->look.tick, true);
     reserve_name(c, title);
     return bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_BOTTOM, false, true, c->name_left ? NULL : title);
 }

@@ -637,6 +637,28 @@ static void test_numbers_at_the_end_are_whole(void **state)
     }
 }
 
+/* `contact` is a longer word than `bead`. */
+static void test_axes_of_contacts_have_their_word(void **state)
+{
+    static const int sizes[][2] = {{960, 540}, {1920, 1080}, {1080, 1080}, {1080, 1920}, {390, 844}};
+    static const char *const arranged[] = {"stage", "stacked", "columns"};
+    (void)state;
+    for (size_t i = 0; i < 3 * sizeof sizes / sizeof *sizes; i++) {
+        static struct stage s;
+        const int *size = sizes[i / 3];
+        char text[400], what[80];
+        snprintf(text, sizeof text,
+                 "chain: {beads: [{bead: large-steel, count: 20}]}\n"
+                 "outputs: [{movie: m.mp4, field: contact-force, layout: %s, views: [%s, profile, spacetime]}]\n",
+                 arranged[i % 3], i % 3 ? "beads" : "stage");
+        snprintf(what, sizeof what, "contacts, %s, %dx%d", arranged[i % 3], size[0], size[1]);
+        open_stage(&s, text, size);
+        assert_legible(&s.seen, size, what);
+        assert_true(wrote(&s.seen, "contact"));
+        close_stage(&s);
+    }
+}
+
 /* Forty beads: the last number of a stage in a grid would be beside the first one of the next. */
 static void test_numbers_of_a_grid_part(void **state)
 {
@@ -950,6 +972,7 @@ int main(void)
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),
         cmocka_unit_test(test_numbers_at_the_end_are_whole),
+        cmocka_unit_test(test_axes_of_contacts_have_their_word),
         cmocka_unit_test(test_numbers_of_a_grid_part),
         cmocka_unit_test(test_precompression_is_no_peak),
         cmocka_unit_test(test_labels_on_phones),
