@@ -39,13 +39,18 @@ static void reserve_name(struct bead_composer *c, const char *title)
     c->wants.left = c->name_left ? fmax(c->wants.left, room) : c->wants.left;
 }
 
+/* Do plots tell of contacts, not of beads? */
+static bool of_contacts(const struct bead_composer *c)
+{
+    return bead_field_info(c->setup.output->shown.field)->of_contacts;
+}
+
 static double reach_along(struct bead_composer *c, size_t chain, double length)
 {
     struct bead_axis axis;
     struct bead_rect plot = {0, 0, (int)length, (int)length};
     size_t last = bead_composer_span(c, chain).last;
-    const bool contacts = bead_field_info(c->setup.output->shown.field)->of_contacts; /* the longer word */
-    const char *title = bead_axis_along_chain(&axis, c->setup.chains[chain], contacts, 0, last, length, c->look.tick, true);
+    const char *title = bead_axis_along_chain(&axis, c->setup.chains[chain], of_contacts(c), 0, last, length, c->look.tick, true);
     reserve_name(c, title);
     return bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_BOTTOM, false, true, c->name_left ? NULL : title);
 }
@@ -61,7 +66,7 @@ static double reach_left_of_image(const struct bead_composer *c, double length)
     for (size_t i = 0; i < c->wants.chain_count; i++) {
         struct bead_axis axis;
         struct bead_span span = bead_composer_span(c, i);
-        (void)bead_axis_along_chain(&axis, c->setup.chains[i], false, span.first, span.last, length, c->look.tick, false);
+        (void)bead_axis_along_chain(&axis, c->setup.chains[i], of_contacts(c), span.first, span.last, length, c->look.tick, false);
         most = fmax(most, bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_LEFT, false, true, NULL));
     }
     return most;
@@ -252,10 +257,10 @@ static void measure_names(struct bead_composer *c)
     char both[128], markup[2200];
     bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick,
                    true);
-    snprintf(both, sizeof both, BEAD_PANEL_AGAINST, bead_chain_axis(chain, false).title);
+    snprintf(both, sizeof both, BEAD_PANEL_AGAINST, bead_chain_axis(chain, of_contacts(c)).title);
     bead_axis_title(&time, both, markup, sizeof markup);
     c->wants.against = bead_words_width(NULL, &style, markup);
-    c->wants.along = bead_words_width(NULL, &style, bead_chain_axis(chain, false).title);
+    c->wants.along = bead_words_width(NULL, &style, bead_chain_axis(chain, of_contacts(c)).title);
     c->wants.name_least = bead_name_least(&c->look, chain);
 }
 

@@ -1,155 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Other ways to the same film. Films are drawn by what changes: each frame is the same as one drawn without those before it, and as
  * the frame before with what is told to have changed: nothing trails, in layouts with each kind of view, word and mark. */
-#include <math.h>
 #include <unistd.h>
 
-#include "render/movie/composer_private.h"
+#include "film_laws.h"
 #include "sessions.h"
-#include "strokes.h"
-#include "tests/numbers.h"
 #include "tests/pictures.h"
-#include "tests/scenes.h"
-#include "tests/texts.h"
-
-enum { WIDTH = 480, HEIGHT = 270, CHAINS = 2, ROOM = 64, FRAMES = 9 };
-static const double span = 1.2e-3;
-static const struct bead_rect whole = {0, 0, WIDTH, HEIGHT};
-
-struct film {
-    struct bead_scene *scene;
-    struct bead_chain *chains[CHAINS];
-    struct bead_composer *composer;
-    struct texts texts;
-    struct bead_text_watch watch;
-};
-
-static const struct bead_film_clock slow = {.slowed = 4000};
-
-static void require(enum bead_error err, const struct bead_message *msg)
-{
-    if (err)
-        fail_msg("%s", msg->text);
-}
-
-/* `scale`: of the frame. */
-static void open_film(struct film *f, const char *chains, const char *output, int scale)
-{
-    struct bead_message msg = {""};
-    char text[2000];
-    snprintf(text, sizeof text, "title: A film\nsimulate: {until: 1.2 ms}\n%s\noutputs: [{movie: m.mp4, size: [%d, %d], %s}]\n",
-             chains, scale * WIDTH, scale * HEIGHT, output);
-    *f = (struct film){.scene = parse(text), .watch = {texts_note, &f->texts}};
-    for (size_t i = 0; i < f->scene->chain_count; i++)
-        require(bead_chain_create(f->scene, i, &f->chains[i], &msg), &msg);
-    const struct bead_composer_setup setup = {.output = &f->scene->outputs[0],
-                                              .chains = (const struct bead_chain *const *)f->chains,
-                                              .chain_count = f->scene->chain_count,
-                                              .title = f->scene->title,
-                                              .width = scale * WIDTH,
-                                              .height = scale * HEIGHT,
-                                              .time = {0, span},
-                                              .step = 2e-6,
-                                              .range = {.high = 45},
-                                              .scene = f->scene,
-                                              .canvas = "plain",
-                                              .film = &slow,
-                                              .watch = &f->watch,
-                                              .tolerance_factor = 1};
-    require(bead_composer_create(&setup, &f->composer, &msg), &msg);
-    require(bead_composer_open(f->composer, &msg), &msg);
-}
-
-static void close_film(struct film *f)
-{
-    bead_composer_close(f->composer);
-    bead_composer_destroy(f->composer);
-    for (size_t i = 0; i < f->scene->chain_count; i++)
-        bead_chain_destroy(f->chains[i]);
-    bead_scene_free(f->scene);
-}
-
-static double ahead = 0.4; /* beads a frame, of the first chain */
-
-/* A pulse in each chain, the first one ahead, that leaves its beads pushed on. */
-static double feed(struct film *f, int frame)
-{
-    const double time = span * frame / FRAMES;
-    for (size_t c = 0; c < f->scene->chain_count; c++) {
-        struct bead_message msg = {""};
-        double u[ROOM], force[ROOM], speed[ROOM];
-        const size_t beads = bead_chain_beads(f->chains[c]);
-        struct bead_sample sample = {.chain = c, .time = time, .active = beads, .comparison_active = beads};
-        for (int i = 0; i < ROOM; i++) {
-            const double x = i - (2.3 - ahead * (double)c) * frame;
-            u[i] = 1e-5 / (1 + exp(x));
-            force[i] = 40 * exp(-x * x);
-            speed[i] = 0.3 * exp(-x * x);
-        }
-        for (size_t k = 0; k < BEAD_FIELD_COUNT; k++)
-            sample.field[k] = sample.comparison[k] = force;
-        sample.field[BEAD_FIELD_DISPLACEMENT] = sample.comparison[BEAD_FIELD_DISPLACEMENT] = u;
-        sample.field[BEAD_FIELD_VELOCITY] = sample.comparison[BEAD_FIELD_VELOCITY] = speed;
-        require(bead_composer_feed(f->composer, &sample, &msg), &msg);
-    }
-    return time;
-}
-
-static void draw(struct film *f, double time, struct bead_changes *changes)
-{
-    struct bead_message msg = {""};
-    require(bead_composer_draw(f->composer, time, changes, &msg), &msg);
-}
-
-static void assert_same(const struct bead_frame *a, const struct bead_frame *b, int frame, const char *what)
-{
-    for (int y = 0; y < HEIGHT; y++) {
-        const uint8_t *row = a->pixels + (size_t)y * a->stride, *other = b->pixels + (size_t)y * b->stride;
-        for (int i = 0; memcmp(row, other, 4 * WIDTH) != 0 && i < 4 * WIDTH; i++) {
-            if (i % 4 < 3 && abs(row[i] - other[i]) > 1)
-                fail_msg("frame %d, %s: %d at %d, %d is also %d", frame, what, row[i], i / 4, y, other[i]);
-        }
-    }
-}
-
-/* The same frame without those before. */
-static void assert_anew(const struct film *on, const char *chains, const char *output, int frame)
-{
-    static struct film f;
-    struct bead_message msg = {""};
-    open_film(&f, chains, output, 1);
-    for (int k = 0; k < frame; k++)
-        require(bead_composer_pass(f.composer, feed(&f, k), &msg), &msg);
-    draw(&f, feed(&f, frame), &(struct bead_changes){0});
-    assert_same(bead_composer_frame(on->composer), bead_composer_frame(f.composer), frame, output);
-    close_film(&f);
-}
-
-static void assert_nothing_trails(const char *chains, const char *output)
-{
-    static struct film f;
-    struct bead_frame copy;
-    struct bead_message msg = {""};
-    open_film(&f, chains, output, 1);
-    require(bead_frame_create(WIDTH, HEIGHT, &copy, &msg), &msg);
-    for (int k = 0; k < FRAMES; k++) {
-        struct bead_changes changes = {0};
-        const struct bead_frame *frame = bead_composer_frame(f.composer);
-        draw(&f, feed(&f, k), &changes);
-        if (k == 0)
-            bead_frame_copy(&copy, frame, whole);
-        for (size_t i = 0; i < changes.count; i++) {
-            const struct bead_rect *r = &changes.rect[i];
-            assert_true(r->x >= 0 && r->y >= 0 && r->x + r->width <= WIDTH && r->y + r->height <= HEIGHT);
-            bead_frame_copy(&copy, frame, *r);
-        }
-        assert_same(frame, &copy, k, "without what was not told");
-        if (k % 4 == 3)
-            assert_anew(&f, chains, output, k);
-    }
-    bead_frame_free(&copy);
-    close_film(&f);
-}
 
 #define STRUCK "striker: {bead: large-steel, velocity: 0.4 m/s}, "
 static const char one[] = "chain: {" STRUCK "beads: [{bead: large-steel, count: 39}, {bead: ptfe, sensor: s}], wall: brass}",
@@ -260,106 +116,6 @@ static void chains_have_no_order(void **)
 
 /* ---- size ---- */
 
-static bool is_twice(double a, double b, double slack)
-{
-    return fabs(2 * a - b) <= slack;
-}
-
-enum { LINES_MOST = 4000 };
-struct lines {
-    size_t count;
-    struct stroke line[LINES_MOST];
-};
-
-static void take_lines(struct lines *to)
-{
-    strokes.on = false;
-    assert_true(strokes.count < LINES_MOST);
-    to->count = 0;
-    for (size_t i = 0; i < strokes.count; i++) {
-        if (!strokes.list[i].filled)
-            to->line[to->count++] = strokes.list[i];
-    }
-}
-
-static void compare_lines(const struct lines lines[2], double slack, const char *what)
-{
-    assert_true(lines[0].count > 0);
-    assert_int_equal(lines[0].count, lines[1].count);
-    for (size_t i = 0; i < lines[0].count; i++) {
-        const struct stroke *a = &lines[0].line[i], *b = &lines[1].line[i];
-        bool same = a->dashes == b->dashes;
-        for (int k = 0; k < 2; k++)
-            same = same && is_twice(a->low[k], b->low[k], slack) && is_twice(a->high[k], b->high[k], slack);
-        if (!same)
-            fail_msg("%s: the line of %zu points at %g to %g, %g to %g is also one of %zu at %g to %g, %g to %g", what, a->count,
-                     a->low[0], a->high[0], a->low[1], a->high[1], b->count, b->low[0], b->high[0], b->low[1], b->high[1]);
-    }
-}
-
-/* Words are on the frame, and none is on another. */
-static void words_are_apart(const struct texts *texts, int width, int height, const char *what)
-{
-    /* Of its line, what letters lack above and below: empirical, of the font of these films. */
-    const double air = 0.14;
-    for (size_t i = 0; i < texts->count; i++) {
-        const struct text *a = &texts->text[i];
-        bool good =
-            a->x >= -1 && a->x + a->width <= width + 1 && a->y + air * a->height >= 0 && a->y + (1 - air) * a->height <= height;
-        for (size_t j = 0; j < i; j++) {
-            const struct text *b = &texts->text[j];
-            good = good &&
-                   !(a->x < b->x + b->width && b->x < a->x + a->width && a->y + air * a->height < b->y + (1 - air) * b->height &&
-                     b->y + air * b->height < a->y + (1 - air) * a->height);
-        }
-        if (!good)
-            fail_msg("%s: '%s' at %g, %g is beyond the frame, or on another", what, a->markup, a->x, a->y);
-    }
-}
-
-static double middle_of(const struct text *t, int along)
-{
-    return along ? t->y + t->height / 2 : t->x + t->width / 2;
-}
-
-/* Are two numbers of one axis? Those below a plot are level; those on the left end at one place. */
-static bool is_of_axis(const struct text *a, const struct text *b, int along)
-{
-    return along ? fabs(a->x + a->width - b->x - b->width) < 2 && fabs(a->y - b->y) > 1
-                 : fabs(a->y - b->y) < 1 && a->height == b->height && fabs(a->x - b->x) > 1;
-}
-
-/* Numbers that follow each other along an axis are where one scale says. */
-static size_t numbers_are_in_place(const struct texts *texts, const char *what)
-{
-    size_t axes = 0;
-    for (int along = 0; along < 2; along++) {
-        for (size_t from = 0, to; from < texts->count; from = to) {
-            const struct text *t = texts->text;
-            for (to = from + 1; to < texts->count && !isnan(number_of(t[from].markup)) && !isnan(number_of(t[to].markup)) &&
-                                is_of_axis(&t[to - 1], &t[to], along) &&
-                                (number_of(t[to].markup) > number_of(t[to - 1].markup)) ==
-                                    (number_of(t[from + 1].markup) > number_of(t[from].markup));)
-                to++;
-            double least = to - from > 2 ? INFINITY : 0;
-            for (int scale = 0; scale < SCALES && to - from > 2; scale++) {
-                double off = 0;
-                const double first = scaled(number_of(t[from].markup), scale), last = scaled(number_of(t[to - 1].markup), scale),
-                             begin = middle_of(&t[from], along), end = middle_of(&t[to - 1], along);
-                for (size_t i = from + 1; i + 1 < to; i++)
-                    off = fmax(off, fabs(begin + (scaled(number_of(t[i].markup), scale) - first) / (last - first) * (end - begin) -
-                                         middle_of(&t[i], along)));
-                least = isfinite(off) && isfinite(first) && off < least ? off : least;
-            }
-            axes += to - from > 2;
-            if (!(least < 3))
-                fail_msg("%s: numbers from '%s' to '%s' are %g px beside their places", what, t[from].markup, t[to - 1].markup,
-                         least);
-        }
-    }
-    return axes;
-}
-
 static bool is_said(const struct texts *texts, const char *words)
 {
     for (size_t i = 0; i < texts->count; i++) {
@@ -394,10 +150,12 @@ static void films_are_the_same_at_twice_the_size(void **)
             take_lines(&lines[k]);
         }
         const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 10 : 56;
-        compare_lines(lines, slack, films[i].output);
+        char why[300];
+        if (lines[0].count == 0 || !same_lines(lines, slack, why))
+            fail_msg("%s: %s", films[i].output, why);
         assert_true(f[0].texts.count > 10);
         words_are_there(&f[1].texts, films[i].chains, films[i].output);
-        words_are_apart(&f[1].texts, 4 * WIDTH, 4 * HEIGHT, films[i].output);
+        words_are_apart(&f[1].texts, 4 * film_size[0], 4 * film_size[1], films[i].output);
         assert_true(numbers_are_in_place(&f[1].texts, films[i].output) > 2);
         assert_int_equal(f[0].texts.count, f[1].texts.count);
         for (size_t t = 0; t < f[0].texts.count; t++) {
