@@ -115,6 +115,13 @@ def scenes():
     text = beadreel.run("chain: {beads: [{bead: brass, count: 3}]}\noutputs: [{table: peaks.csv}]\n", out=folder / "text")
     ok(len(text.peaks) == 3 and text.table("peaks.csv").dtype.names == text.peaks.dtype.names, "a scene as text")
     ok(refused(LookupError, "no trajectory", lambda: text.trajectory) and refused(LookupError, "no film", text.film), "what is not there")
+    ok(list(text.peaks["state"]) == ["", "", ""], "words that a run leaves empty")
+    drawn = beadreel.sweep(cells=4, spins=["0110"], outputs=[{"table": "all.csv", "show": "configurations"}])
+    ok(list(drawn.table("all.csv")["spins"]) == ["0110"], "spins are no numbers")
+    said = beadreel.run(STEEL, title="Force: 5 N # 1", outputs=[{"image": "a.svg", "colormap": "#000000 #ffffff"}],
+                        simulate__until="20 us")
+    ok("Force: 5 N # 1" in said.outputs["a.svg"].read_text(), "texts that would be maps and comments")
+    ok(beadreel.run(STEEL, outputs="[{table: peaks.csv}]", simulate__until="20 us").peaks.size == 20, "a list as YAML")
     numbers = beadreel.run(STEEL, only="peaks.csv", simulate={"until": np.float64(5e-5)}, threads=1)
     ok(numbers.result["runs"][0]["end_s"] == 5e-5, "NumPy's numbers")
 

@@ -199,10 +199,14 @@ def _draw(path: str | os.PathLike[str], folder: str | os.PathLike[str], outputs:
     return whole
 
 
-def _column(texts: tuple[str, ...]) -> numpy.ndarray:
+# Columns of words: empty ones would be read as numbers that are missing, spins as whole numbers.
+WORDS = {"chain", "curve", "material", "note", "sensor", "spins", "state", "unit"}
+
+
+def _column(name: str, texts: tuple[str, ...]) -> numpy.ndarray:
     import numpy
 
-    for read in (int, lambda text: float(text) if text else float("nan")):
+    for read in () if name in WORDS else (int, lambda text: float(text) if text else float("nan")):
         try:
             return numpy.array([read(text) for text in texts])
         except ValueError:
@@ -215,7 +219,7 @@ def _read_table(path: str | os.PathLike[str]) -> numpy.ndarray:
 
     with open(path, newline="", encoding="utf-8") as file:
         names, *rows = csv.reader(line for line in file if not line.startswith("#"))
-    columns = [_column(column) for column in zip(*rows)] if rows else [numpy.array([], float) for _ in names]
+    columns = [_column(name, column) for name, column in zip(names, zip(*rows))] if rows else [numpy.array([], float) for _ in names]
     table = numpy.empty(len(rows), [(name, column.dtype) for name, column in zip(names, columns)])
     for name, column in zip(names, columns):
         table[name] = column

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -82,14 +83,19 @@ def call(arguments: list[Any], progress: Progress | None = None) -> dict[str, An
     return result
 
 
+# What YAML would take for a map, a list, a comment or an alias.
+NOT_PLAIN = re.compile(r"^[#&*!|>%@`]|^[-?] |:( |$)| #")
+
+
 def _plain(value: Any) -> Any:
     """NumPy's numbers and arrays, paths."""
     return value.tolist() if hasattr(value, "tolist") else str(value)
 
 
 def _yaml(value: Any) -> str:
-    """JSON is YAML; a plain word needs no quotes, so that `1 m/s` stays as it was written."""
-    return value if isinstance(value, str) else json.dumps(value, default=_plain, ensure_ascii=False)
+    """JSON is YAML; a plain word needs no quotes, so that `1 m/s` stays as it was written. Lists and maps may be given as YAML."""
+    plain = isinstance(value, str) and (value[:1] in tuple("[{\"'") or not NOT_PLAIN.search(value))
+    return value if plain else json.dumps(value, default=_plain, ensure_ascii=False)
 
 
 def key(name: str) -> str:
