@@ -64,6 +64,11 @@ double bead_colour_range_rest(const struct bead_chain *const *chains, size_t cou
     return field == BEAD_FIELD_FORCE || field == BEAD_FIELD_CONTACT_FORCE ? rest : 0;
 }
 
+bool bead_colour_range_signed(const struct bead_output *output, const struct bead_chain *chain)
+{
+    return bead_chain_signed(chain, output->shown.field) && output->sweep_curves.show != BEAD_SWEEP_DEVIATION;
+}
+
 /* As wide to both sides, if the contacts stay closed. */
 static bool find_about_rest(const struct bead_colours_asked *asked, const struct bead_shown_values *values,
                             struct bead_colour_range *range)
@@ -119,7 +124,7 @@ struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked 
 void bead_colour_range_ends(const struct bead_output *output, const struct bead_chain *chain, const struct bead_colour_range *found,
                             bool *over, bool *under)
 {
-    bool both = bead_chain_signed(chain, output->shown.field) || found->low > 0;
+    bool both = bead_colour_range_signed(output, chain) || found->low > 0;
     bool given = !isnan(output->colours.range[0]) && !isnan(output->colours.range[1]);
     *over = given || found->over;
     *under = given ? both && output->colours.scale != BEAD_SCALE_LOG : found->under;
@@ -150,6 +155,6 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
                                       struct bead_colormap *map, struct bead_message *msg)
 {
     static const char *const own[2][2] = {{"ember", "inferno"}, {"dawn", "dusk"}}; /* zero looks like the page */
-    const bool signs = about_rest || (bead_chain_signed(chain, output->shown.field) && !(output->colours.range[0] >= 0));
+    const bool signs = about_rest || (bead_colour_range_signed(output, chain) && !(output->colours.range[0] >= 0));
     return load_map(output, has_own_map(output) ? output->colours.colormap : own[signs][dark], map, msg);
 }

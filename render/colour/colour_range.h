@@ -34,6 +34,8 @@ struct bead_shown_values {
 /* The static force that all contacts of these chains have, if the field is a force; else 0. */
 double bead_colour_range_rest(const struct bead_chain *const *chains, size_t count, enum bead_field field);
 
+/* Can the output's values be negative? Standard deviations cannot. */
+bool bead_colour_range_signed(const struct bead_output *output, const struct bead_chain *chain);
 /* An automatic range leaves out an event that would take more than half of the colours and so hide the wave. */
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,
                                                 const struct bead_shown_values *values);

@@ -102,7 +102,7 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         bead_area_widen(b->areas[c], &all);
     all.typical = INFINITY;
     all.usually_away = all.away;
-    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), &all);
+    return bead_colour_range_find(&b->output->colours, bead_colour_range_signed(b->output, b->context.chains[0]), &all);
 }
 
 /* The place of a chain's pixels. */

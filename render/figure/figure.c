@@ -187,7 +187,7 @@ static void explain(struct bead_figure *f)
 static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    bool is_signed = bead_chain_signed(f->context.chains[0], output->shown.field);
+    bool is_signed = bead_colour_range_signed(output, f->context.chains[0]);
     BEAD_TRY(bead_colour_range_check(output, msg));
     BEAD_TRY(bead_picture_times(output, &f->context, f->time, msg));
     f->at = isnan(output->image.at) ? f->time[1] : output->image.at;

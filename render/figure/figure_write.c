@@ -54,8 +54,7 @@ void bead_figure_extremes(const struct bead_figure *f, struct bead_shown_values 
 void bead_figure_set_range(struct bead_figure *f, const struct bead_shown_values *colours, const struct bead_shown_values *sensors)
 {
     const double ends[2] = {sensors->least, sensors->largest};
-    f->range =
-        bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field), colours);
+    f->range = bead_colour_range_find(&f->output->colours, bead_colour_range_signed(f->output, f->context.chains[0]), colours);
     f->colours = bead_colour_range_colours(f->output, &f->range, f->range.rest > 0 ? &f->map_about_rest : &f->map);
     for (size_t t = 0; t < f->tile_count; t++) {
         struct bead_tile *panel = &f->tiles[t];

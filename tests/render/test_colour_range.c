@@ -158,6 +158,28 @@ static void test_rest_is_the_static_force(void **state)
     }
 }
 
+static void test_deviations_have_no_signs(void **state)
+{
+    (void)state;
+    static const char *const shows[] = {"mean", "deviation"}, *const maps[] = {"dawn", "ember"};
+    for (int i = 0; i < 2; i++) {
+        char text[400];
+        struct bead_chain *chain = NULL;
+        struct bead_colormap map;
+        snprintf(text, sizeof text,
+                 "chain: {beads: [{bead: glass, count: 3, disorder: {mass: normal 5 %%}}]}\n"
+                 "sweep: {over: {chain.beads.0.disorder.seed: 1..3}}\noutputs: [{image: a.png, field: velocity, show: %s}]\n",
+                 shows[i]);
+        struct bead_scene *scene = parse(text);
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        assert_int_equal(bead_colour_range_map(&scene->outputs[0], chain, false, false, &map, NULL), BEAD_OK);
+        assert_string_equal(map.name, maps[i]);
+        assert_int_equal(bead_colour_range_signed(&scene->outputs[0], chain), i == 0);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 /* Whatever can be below 0 has a map with zero in its middle: forces of springs that pull, and solitons that are troughs. */
 static void test_what_can_be_negative_has_signs(void **state)
 {
@@ -194,6 +216,7 @@ int main(void)
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_given_ranges_stay),
         cmocka_unit_test(test_rest_is_the_static_force),
+        cmocka_unit_test(test_deviations_have_no_signs),
         cmocka_unit_test(test_what_can_be_negative_has_signs),
         cmocka_unit_test(test_short_and_narrow_is_no_wave),
         cmocka_unit_test(test_dark_pictures_have_a_dark_map),
