@@ -6,6 +6,7 @@
 
 #include "sim/base/suggest.h"
 #include "sim/chain/contact_walk.h"
+#include "sim/chain/drive.h"
 #include "sim/chain/system.h"
 
 static const double pi = 3.14159265358979323846;
@@ -91,7 +92,7 @@ struct bead_validity bead_validity_begin(const struct bead_chain *chain)
 
 struct bead_validity bead_validity_bound(const struct bead_chain *chain)
 {
-    return walk(chain, bead_chain_energy(chain));
+    return walk(chain, bead_is_driven(chain->spec) ? INFINITY : bead_chain_energy(chain));
 }
 
 /* Damping is part of the force: then no more than all the energy allows. */

@@ -25,7 +25,7 @@ struct bead_validity {
 
 /* Before anything moves: the strike, and the static compression. */
 struct bead_validity bead_validity_begin(const struct bead_chain *chain);
-/* Bounds: each contact alone holds all the energy that is put in. */
+/* Bounds: each contact alone holds all the energy that is put in; a drive may put in any. */
 struct bead_validity bead_validity_bound(const struct bead_chain *chain);
 /* Include the compression d of a contact, m; or the largest forces of all contacts. */
 void bead_validity_add(struct bead_validity *validity, const struct bead_chain *chain, size_t contact, double d);

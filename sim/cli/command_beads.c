@@ -20,7 +20,7 @@ struct span {
 /* Properties of the beads of one material. */
 struct kind {
     size_t count;
-    struct span radius, mass, modulus;
+    struct span radius, mass, modulus, gap, spring;
 };
 
 static void widen(struct span *span, double value, bool first)
@@ -36,6 +36,8 @@ static void add_kind(struct kind *kind, const struct bead_material *material, si
     widen(&kind->radius, material->radius, first);
     widen(&kind->mass, material->mass, first);
     widen(&kind->modulus, material->modulus, first);
+    widen(&kind->gap, material->gap, first);
+    widen(&kind->spring, material->spring, first);
 }
 
 /* Counts beads by material, in the scene's numbering, without the striker; NULL: no memory. To be freed. From the specification: a
@@ -86,7 +88,12 @@ void command_print_beads(FILE *out, const struct bead_chain *chain)
         print_span(out, "radius", kind->radius, 1, "m");
         print_span(out, ", mass", kind->mass, 1e3, "g");
         print_span(out, ", modulus", kind->modulus, 1, "Pa");
-        fprintf(out, ", Poisson %.3g\n", scene->materials[i].poisson);
+        fprintf(out, ", Poisson %.3g", scene->materials[i].poisson);
+        if (kind->gap.high > 0)
+            print_span(out, ", gaps of", kind->gap, 1, "m");
+        if (kind->spring.high > 0)
+            print_span(out, ", springs of", kind->spring, 1, "N/m");
+        fputc('\n', out);
     }
     const struct span stiffness = stiffness_of(chain);
     const struct bead_law_spec *law = &bead_chain_spec(chain)->law;

@@ -10,6 +10,7 @@
 #include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/drive.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/cli/command_line.h"
@@ -32,7 +33,7 @@ static void write_chain(struct bead_json *json, const struct bead_chain *chain)
         bead_json_number(json, "velocity_m_s", spec->striker_velocity);
         command_write_beads(json, chain);
         const struct bead_validity most = bead_validity_bound(chain);
-        bead_json_number(json, "energy_J", bead_chain_energy(chain));
+        bead_json_number(json, "energy_J", bead_is_driven(spec) ? NAN : bead_chain_energy(chain));
         bead_json_number(json, "strike_bar_speed", most.strike > 0 ? most.strike : NAN);
         bead_json_number(json, "compression_radius_most", most.compression > 0 ? most.compression : NAN);
         bead_json_number(json, "pressure_yield_most", most.pressure > 0 ? most.pressure : NAN);

@@ -15,6 +15,7 @@
 #include "beadreel/trajectory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/chain/drive.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/hdf5/h5.h"
@@ -52,9 +53,31 @@ static void print_starts(FILE *out, const struct bead_chain_spec *spec)
         fprintf(out, "  ... and %zu beads more\n", spec->start_count - MOST_STARTS);
 }
 
+static void print_drive(FILE *out, const struct bead_drive *drive)
+{
+    static const char *const waves[] = {"", "a sine", "a chirp", "noise", "a measured wave"};
+    const enum bead_wave wave = drive->displacement ? drive->displacement : drive->force;
+    char amplitude[32], from[32], to[32], ramp[32];
+    if (!wave)
+        return;
+    fprintf(out, "  bead %zu driven: its %s is %s of %s", drive->bead, drive->displacement ? "displacement" : "load", waves[wave],
+            command_quantity(drive->amplitude, drive->displacement ? "m" : "N", amplitude, sizeof amplitude));
+    if (wave != BEAD_WAVE_POINTS)
+        fprintf(out, ", %s", command_quantity(drive->frequency, "Hz", from, sizeof from));
+    if (wave == BEAD_WAVE_CHIRP)
+        fprintf(out, " to %s", command_quantity(drive->to, "Hz", to, sizeof to));
+    if (drive->ramp > 0)
+        fprintf(out, ", rising for %s", command_quantity(drive->ramp, "s", ramp, sizeof ramp));
+    fputc('\n', out);
+}
+
 static void print_options(FILE *out, const struct bead_chain_spec *spec)
 {
     char text[32];
+    if (spec->gap > 0)
+        fprintf(out, "  gaps of %s\n", command_quantity(spec->gap, "m", text, sizeof text));
+    if (spec->cradle > 0)
+        fprintf(out, "  pendulums of %s\n", command_quantity(spec->cradle, "m", text, sizeof text));
     if (spec->precompression > 0)
         fprintf(out, "  precompression %s\n", command_quantity(spec->precompression, "N", text, sizeof text));
     if (spec->tilt > 0)
@@ -70,11 +93,12 @@ static void print_validity(FILE *out, const struct bead_chain *chain)
     const struct bead_validity most = bead_validity_bound(chain);
     if (most.strike > 0)
         fprintf(out, "  strike at %.3g of the bar speed", most.strike);
-    if (most.compression > 0)
+    const bool bound = most.compression > 0 && isfinite(most.compression);
+    if (bound)
         fprintf(out, "%scompression at most %.3g of the radius", most.strike > 0 ? "; " : "  ", most.compression);
-    if (most.pressure > 0)
+    if (bound && most.pressure > 0)
         fprintf(out, ", pressure at most %.3g of the yield strength", most.pressure);
-    if (most.strike > 0 || most.compression > 0)
+    if (most.strike > 0 || bound)
         fprintf(out, "\n");
 }
 
@@ -102,10 +126,13 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
     fprintf(out, "chain %s: striker and %zu beads, %zu contacts", *name ? name : number, bead_chain_beads(chain) - 1,
             bead_chain_contacts(chain));
     print_wall(out, chain);
-    fprintf(out, "\n  striker %s at %s, energy %s\n", bead_chain_scene(chain)->materials[spec->striker_material].name,
-            command_quantity(spec->striker_velocity, "m/s", velocity, sizeof velocity),
-            command_quantity(bead_chain_energy(chain), "J", text, sizeof text));
+    fprintf(out, "\n  striker %s at %s", bead_chain_scene(chain)->materials[spec->striker_material].name,
+            command_quantity(spec->striker_velocity, "m/s", velocity, sizeof velocity));
+    if (!bead_is_driven(spec))
+        fprintf(out, ", energy %s", command_quantity(bead_chain_energy(chain), "J", text, sizeof text));
+    fputc('\n', out);
     print_starts(out, spec);
+    print_drive(out, &spec->drive);
     command_print_beads(out, chain);
     print_options(out, spec);
     print_validity(out, chain);

@@ -25,6 +25,17 @@ ok "a run keeps the wave" exits 0 "$beadsim" in/s.yaml -o . --set 'outputs=[{tra
 rm in/scope.csv
 ok "... without the file" exits 0 "$beadsim" run.h5 -o d.csv --set 'outputs=[{table: d.csv, show: sensors, contacts: [0, 4], every: 1 us, uncertainty: false}]'
 ok "... to the last digit" cmp a/t.csv d.csv
+ok "--info says what is driven, and promises no bound" eval '"$beadsim" --info run.h5 >"$T/out" && grep -q "bead 0 driven: its load is a measured wave of 40 N" "$T/out" && ! grep -qE "striker.*energy|at most" "$T/out"'
+ok "... nor does --json" eval '"$beadsim" --info run.h5 --json >"$T/out" && grep -qE "\"energy_J\": *null" "$T/out" && grep -qE "\"pressure_yield_most\": *null" "$T/out"'
+# A resonance collects energy, far more than a single push has.
+echo 'chain: {precompression: 20 N, beads: [{bead: large-steel, count: 10}], wall: rigid, drive: {bead: 0, displacement: sine, amplitude: 1 um, frequency: 3 kHz, ramp: 1 ms}}
+simulate: {until: 40 ms}
+outputs: [{table: m.csv, show: measures, uncertainty: false}]' >in/resonance.yaml
+ok "a resonance" exits 0 "$beadsim" in/resonance.yaml -o .
+ok "... that leaves the model says so" says 'times the yield strength'
+ok "... not away from it" exits 0 "$beadsim" in/resonance.yaml -o . --set chain.drive.frequency='2 kHz'
+ok "... where nothing is said" test ! -s "$T/err"
+ok "gaps, pendulums and springs are in --info" eval '"$beadsim" --info in/resonance.yaml --set "chain={gap: 2 um, cradle: {length: 3 cm}, beads: [{bead: brass, count: 3, gap: 5 um, spring: 2 kN/m}]}" >"$T/out" && grep -q "gaps of 5 um, springs of 2 kN/m" "$T/out" && grep -q "^  gaps of 2 um" "$T/out" && grep -q "pendulums of 3 cm\|pendulums of 30 mm" "$T/out"'
 echo 'chain: {beads: [{bead: small-steel, count: 3}], drive: {force: {file: a.csv}, amplitude: 1 N}}
 simulate: {until: 100 us}
 sweep: {over: {chain.drive.force.file: [a.csv, b.csv]}, measure: {beads: [1, 1]}}

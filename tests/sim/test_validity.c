@@ -98,6 +98,19 @@ static void measures_see_peaks(void **state)
     release(&built);
 }
 
+/* A drive may collect any energy. */
+static void drives_have_no_bound(void **state)
+{
+    (void)state;
+    struct built struck = build(BALLS("1 m/s", ""), ""),
+                 driven = build(BALLS("1 m/s", ", drive: {force: sine, amplitude: 1 N, frequency: 5 kHz}"), "until: 1 ms");
+    const struct bead_validity most = bead_validity_bound(struck.chain), any = bead_validity_bound(driven.chain);
+    assert_true(isfinite(most.compression) && isinf(any.compression) && any.strike == most.strike);
+    assert_true(bead_validity_fails(&any));
+    release(&struck);
+    release(&driven);
+}
+
 /* Laws that say nothing of elastic spheres have no pressure, springs no compression; walls count as flat. */
 static void other_laws(void **state)
 {
@@ -247,6 +260,7 @@ int main(void)
         cmocka_unit_test(a_collision_and_its_bound),
         cmocka_unit_test(faster_strikes),
         cmocka_unit_test(measures_see_peaks),
+        cmocka_unit_test(drives_have_no_bound),
         cmocka_unit_test(other_laws),
         cmocka_unit_test(runs_warn_once),
         cmocka_unit_test(rows_are_marked),
