@@ -158,6 +158,35 @@ static void runs_warn_once(void **state)
           "the striker has 0.1", NULL);
 }
 
+static void first_warning(const char *text, char to[500])
+{
+    char path[512];
+    write_scene(text, path);
+    struct bead_session *session = play_session((struct bead_job){.input = path, .output = directory});
+    const char *warning = bead_session_warning(session, 0);
+    snprintf(to, 500, "%s", warning ? strstr(warning, "beyond") : "nothing");
+    bead_session_close(session);
+}
+
+/* The first chain of a sweep is judged by the forces until its end: what is said of it is what is said of the chain alone. */
+static void sweeps_warn_of_their_first_chain(void **state)
+{
+    (void)state;
+    static const char chain[] = BALLS("3.1 m/s", ""), over[] = "sweep: {over: {chain.striker.velocity: [3.1 m/s, 3.2 m/s]}}\n";
+    char text[1000], said[2][500], before[500] = "";
+    size_t changes = 0;
+    for (int until = 2; until < 60; until += 8) {
+        for (size_t swept = 0; swept < 2; swept++) {
+            snprintf(text, sizeof text, "%s%ssimulate: {until: %d us, accuracy: 1e-6}\n" PEAKS, chain, swept ? over : "", until);
+            first_warning(text, said[swept]);
+        }
+        assert_string_equal(said[0], said[1]);
+        changes += strcmp(said[0], before) != 0;
+        strcpy(before, said[0]);
+    }
+    assert_true(changes > 2);
+}
+
 /* The states in the table of peaks of a run. */
 static size_t marked(const char *striker, size_t *rows)
 {
@@ -263,6 +292,7 @@ int main(void)
         cmocka_unit_test(drives_have_no_bound),
         cmocka_unit_test(other_laws),
         cmocka_unit_test(runs_warn_once),
+        cmocka_unit_test(sweeps_warn_of_their_first_chain),
         cmocka_unit_test(rows_are_marked),
         cmocka_unit_test(plain_numbers),
     };
