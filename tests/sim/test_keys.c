@@ -237,9 +237,35 @@ static void values_of_other_kinds_are_refused(void **)
     }
 }
 
+/* Where a map belongs, its first key and a value look like a key without its colon; another word does not. */
+static void colons_are_missed(void **)
+{
+    const struct bead_options *options;
+    size_t missed = 0;
+    char heading[100];
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
+        const size_t s = section_of(bead_options_heading(options, heading, sizeof heading));
+        const struct bead_option *first = bead_options_row(options, 0);
+        char setting[300], hint[200];
+        struct bead_message msg[2] = {{""}, {""}};
+        if (s == sizeof sections / sizeof *sections || !first || strchr(heading, '(')) /* one of several: without keys, which? */
+            continue;
+        snprintf(setting, sizeof setting, "%s=%s 5", sections[s].path, first->key);
+        snprintf(hint, sizeof hint, "is the colon missing after `%s`?", first->key);
+        if (!read_with(sections[s].scene, setting, &msg[0]) || !strstr(msg[0].text, "must be a map of keys"))
+            continue; /* it may also be a word, or a list */
+        snprintf(setting, sizeof setting, "%s=q%s 5", sections[s].path, first->key);
+        assert_int_equal(read_with(sections[s].scene, setting, &msg[1]), BEAD_ERROR_SCENE);
+        if (!strstr(msg[0].text, hint) || strstr(msg[1].text, "colon") || !strstr(msg[1].text, "must be a map of keys"))
+            fail_msg("%s: '%s', and '%s'", setting, msg[0].text, msg[1].text);
+        missed++;
+    }
+    assert_true(missed > 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(values_of_other_kinds_are_refused), cmocka_unit_test(numbers_have_limits),
-                                       cmocka_unit_test(keys_have_a_home)};
+                                       cmocka_unit_test(keys_have_a_home), cmocka_unit_test(colons_are_missed)};
     return cmocka_run_group_tests_name("keys", tests, NULL, NULL);
 }
