@@ -17,11 +17,12 @@ struct any_places {
 /* Beads are numbered from 0, the striker, to `beads`. */
 struct any_scene {
     struct kind_text chain; /* and what else comes before the outputs */
-    size_t beads;           /* of the shortest chain */
-    double every;           /* s, without rounding; the run has ANY_SAMPLES times as much */
+    size_t chains;
+    size_t beads; /* of the shortest chain */
+    double every; /* s, without rounding; the run has ANY_SAMPLES times as much */
     char output[ANY_OUTPUTS][200];
     struct any_places places[ANY_OUTPUTS];
-    bool of_run[ANY_OUTPUTS], at_rest[ANY_OUTPUTS]; /* what samples do not tell: peaks and their like; what needs no run */
+    bool of_run[ANY_OUTPUTS]; /* what samples do not tell: peaks and their like */
 };
 
 static inline void any_segments(struct kind_text *t, struct drawing *d, bool gaps, size_t *beads)
@@ -84,7 +85,7 @@ static inline void any_chains(struct any_scene *scene, struct drawing *d)
     static const char *const methods[] = {", accuracy: 1e-6", ", accuracy: 1e-6, verify: true", ", accuracy: 1e-9",
                                           ", accuracy: 1e-6, method: rk4, step: 0.2 us", ", accuracy: 1e-7, method: rk8"};
     struct kind_text *t = &scene->chain;
-    const size_t chains = draw_below(d, 3) == 0 ? 2 : 1;
+    const size_t chains = scene->chains = draw_below(d, 3) == 0 ? 2 : 1;
     scene->beads = SIZE_MAX;
     scene->every = 0x1p-21 * (double)(1 + draw_below(d, 4));
     kind_add(t, "materials: {m: {density: %.4g, modulus: %.4g GPa, poisson: 0.25, radius: %.4g mm}}\nchains:\n",
@@ -110,8 +111,7 @@ enum any_key {
     ONE = 64,
     OF_RUN = 128,
     PARTS = 256,
-    SEGMENT = 512,
-    AT_REST = 1024
+    SEGMENT = 512
 };
 /* A scene has peaks of contacts or of beads: whether one of these is predictable depends on whether earlier ones of both are.
  * Digits of sensitivities that are not known depend on which others are found on the same way back. */
@@ -126,12 +126,12 @@ static const struct {
                  [BEAD_PEAKS] = {"bead-peaks", BEADS | OF_RUN},
                  {"measures", EVERY},
                  {"profiles", AT | FIELD},
-                 {"chain", AT_REST},
+                 {"chain", 0},
                  {"energy", EVERY | TIME | PARTS | OF_RUN},
                  {"extremes", EVERY | TIME | FIELD},
                  {"spreading", EVERY},
-                 {"bands", AT_REST},
-                 {"eigenmodes", AT_REST},
+                 {"bands", 0},
+                 {"eigenmodes", 0},
                  {"sensitivities, contacts: [0]", OF_RUN},
                  {"spectrum", EVERY | BEADS | FIELD},
                  {"spectrum", EVERY | CONTACTS | SEGMENT},
@@ -184,7 +184,6 @@ static inline void any_output(struct any_scene *scene, struct drawing *d, size_t
         ADD(", segment: %.17g s", 18 * (double)by * scene->every);
 #undef ADD
     scene->of_run[o] = keys & OF_RUN;
-    scene->at_rest[o] = keys & AT_REST;
 }
 
 static inline struct any_scene any_draw(uint64_t seed)

@@ -315,6 +315,8 @@ static enum bead_error narrow(struct bead_trajectory *t, struct bead_scene *chan
     t->outcomes[0] = t->outcomes[only];
     t->methods[0] = t->methods[only];
     t->outcomes[0].method = t->methods[0].text;
+    if (t->bounds)
+        memmove(t->bounds, t->bounds + only * BEAD_FIELD_COUNT, BEAD_FIELD_COUNT * sizeof *t->bounds);
     take_scene(t, changed);
     BEAD_TRY(bead_chain_create(t->scene, 0, &t->chains[0], t->h5.msg));
     t->chain_count = 1;
