@@ -241,17 +241,24 @@ def eigenmodes():
     return "eigenmodes.svg", panels, ("Hz", ""), ["frequency", "participation in beads"]
 
 
-def energy(name, parts, beside=()):
+def energy(name, parts, beside=(), fallen=()):
+    """Parts on each other, but for those that fall below 0."""
     table, panels = rows(f"{name}.csv"), []
     time = table["time_s"]
     there = [p for p in parts if any(v for chain in NAMES for v in table[f"{chain}/{p}_J"])]
+    put_in = {chain: [a + b for a, b in zip(table[f"{chain}/work_J"], table[f"{chain}/total_J"])] for chain in NAMES}
+    lines = {p for p in there for chain in NAMES if any(v < -1e-3 * e for v, e in zip(table[f"{chain}/{p}_J"], put_in[chain]))}
+    assert lines == set(fallen), lines
     for chain, title in NAMES.items():
         below, curves = [0] * len(time), []
         for part in there:
+            if part in lines:
+                curves.append(Curve(part, time, table[f"{chain}/{part}_J"]))
+                continue
             above = [a + b for a, b in zip(below, table[f"{chain}/{part}_J"])]
             curves.append(Curve(part, time, below, upper=above))
             below = above
-        curves.append(Curve("put in", time, [a + b for a, b in zip(table[f"{chain}/work_J"], table[f"{chain}/total_J"])]))
+        curves.append(Curve("put in", time, put_in[chain]))
         curves += [Curve(b.replace("_", " "), time, table[f"{chain}/{b}_J"]) for b in beside]
         panels.append((title, curves))
     return f"{name}.svg", panels, ("s", "J"), ["time", "energy"]
@@ -321,6 +328,13 @@ outputs:
     check("bands", *bands())
     check("modes of the chain at rest", *eigenmodes())
     check("energies, stacked", *energy("energy", ["kinetic", "contacts", "wall", "gravity", "springs", "dissipated"], ["past_bead_5"]))
+    run("slope.yaml", """chains:
+  - {name: one, tilt: 60 deg, striker: {velocity: 0.1 m/s}, beads: [{bead: brass, count: 8}], wall: brass}
+  - {name: "two", tilt: 5 deg, striker: {velocity: 0.1 m/s}, beads: [{cell: [large-steel, aluminium], count: 4}], wall: brass}
+simulate: {until: 0.5 ms}
+outputs: [{plot: slope.svg, show: energy, every: 2 us}, {table: slope.csv, show: energy, every: 2 us}]
+""")
+    check("... on a slope, where gravity gives energy", *energy("slope", ["kinetic", "contacts", "wall", "gravity"], fallen=["gravity"]))
     check("... by place", *energy("place", ["front", "behind", "reflected", "dissipated"]))
     check("spreading", *spreading(), ("log", "log"))
     check("a spectrum", *alike("spectrum", ["contact 0", "contact 3"], "frequency", f"amplitude of {force}", units=("Hz", "N"),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the energy against time, stacked: a panel for each chain. A dotted line above them is the energy put in; lines are
- * the energies past the beads listed. */
+ * parts that fall below 0, and the energies past the beads listed. */
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
@@ -47,6 +47,25 @@ static unsigned parts_there(const struct bead_plot_data *data)
     return there;
 }
 
+/* A part that falls below 0 by less than this part of the energy put in is stacked as the others. */
+static const double unseen = 1e-3;
+
+/* Bits of the parts that fall below 0 in some panel, as gravity where beads descend: on a stack such an area would cover the part
+ * below it, and end above the energy put in. */
+static unsigned parts_below(const struct bead_plot_data *data)
+{
+    const size_t times = bead_grid_count(&data->grid), stacked = bead_energy_parts_stacked(data->output);
+    unsigned below = 0;
+    for (size_t p = 0; p < data->count; p++) {
+        const double *value = data->parts[p].values, *put_in = value + stacked * times;
+        for (size_t i = 0; i < data->parts[p].taken; i++) {
+            for (size_t k = 0; k < stacked; k++)
+                below |= value[k * times + i] < -unseen * (put_in[i] + put_in[times + i]) ? 1u << k : 0;
+        }
+    }
+    return below;
+}
+
 static struct bead_series *next_series(struct bead_plot_data *data, size_t p, size_t k, enum bead_mark mark)
 {
     struct plot_panel *part = &data->parts[p];
@@ -61,8 +80,8 @@ static struct bead_series *next_series(struct bead_plot_data *data, size_t p, si
     return series;
 }
 
-/* Each part lies on the sum of those before it, and is replaced by its own sum. */
-static void stack(struct bead_plot_data *data, size_t p, unsigned there)
+/* Each part lies on the sum of those before it, and is replaced by its own sum; those that fall below 0 are lines. */
+static void stack(struct bead_plot_data *data, size_t p, unsigned there, unsigned lines)
 {
     struct plot_panel *part = &data->parts[p];
     const size_t times = bead_grid_count(&data->grid), stacked = bead_energy_parts_stacked(data->output);
@@ -70,6 +89,10 @@ static void stack(struct bead_plot_data *data, size_t p, unsigned there)
     for (size_t k = 0; k < stacked; k++) {
         if (!(there & 1u << k))
             continue;
+        if (lines & 1u << k) {
+            next_series(data, p, k, BEAD_MARK_LINE);
+            continue;
+        }
         struct bead_series *series = next_series(data, p, k, BEAD_MARK_BAND);
         double *own = part->values + k * times;
         for (size_t i = 0; i < part->taken; i++)
@@ -91,9 +114,9 @@ static void stack(struct bead_plot_data *data, size_t p, unsigned there)
 
 static enum bead_error plot_energy_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
 {
-    const unsigned there = parts_there(data);
+    const unsigned there = parts_there(data), lines = parts_below(data);
     for (size_t p = 0; p < data->count; p++)
-        stack(data, p, there);
+        stack(data, p, there, lines);
     return BEAD_OK;
 }
 
