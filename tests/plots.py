@@ -332,9 +332,12 @@ outputs:
   - {name: one, tilt: 60 deg, striker: {velocity: 0.1 m/s}, beads: [{bead: brass, count: 8}], wall: brass}
   - {name: "two", tilt: 5 deg, striker: {velocity: 0.1 m/s}, beads: [{cell: [large-steel, aluminium], count: 4}], wall: brass}
 simulate: {until: 0.5 ms}
-outputs: [{plot: slope.svg, show: energy, every: 2 us}, {table: slope.csv, show: energy, every: 2 us}]
+outputs: [{plot: slope.svg, show: energy, every: 2 us}, {plot: whole.svg, show: energy, time: [0 us, 71.3 us]}, {table: slope.csv, show: energy, every: 2 us}]
 """)
     check("... on a slope, where gravity gives energy", *energy("slope", ["kinetic", "contacts", "wall", "gravity"], fallen=["gravity"]))
+    panel = read("whole.svg")[0]
+    found = [max(p[0] for p in d.points) - panel.frame[2] for d in panel.drawn if d.filled and not d.stroke]
+    tap.ok(len(found) == 3 and all(abs(off) < 0.3 for off in found), "... up to the frame", found)
     check("... by place", *energy("place", ["front", "behind", "reflected", "dissipated"]))
     check("spreading", *spreading(), ("log", "log"))
     check("a spectrum", *alike("spectrum", ["contact 0", "contact 3"], "frequency", f"amplitude of {force}", units=("Hz", "N"),

@@ -8,15 +8,19 @@
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/sink_grid.h"
 
-/* Times of a curve unless the scene gives an interval, or a trajectory has its own; more would not be visible. */
-static const double most_times = 4000;
+/* Times of a curve unless the scene gives an interval, or a trajectory has its own: fewer would have corners, more not be visible.
+ */
+static const double least_times = 500, most_times = 4000;
 
 enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what, struct bead_message *msg)
 {
     struct bead_grid *grid = &data->grid;
     BEAD_TRY(bead_sink_grid(data->output, &data->context, grid, msg));
-    if (!grid->widens && !(data->output->shown.every > 0 || data->context.native.every > 0))
-        grid->every = fmax(data->context.resolution, (grid->end - grid->start) / most_times);
+    if (!grid->widens && !(data->output->shown.every > 0 || data->context.native.every > 0)) {
+        const double span = grid->end - grid->start,
+                     every = fmax(fmin(data->context.resolution, span / least_times), span / most_times);
+        grid->every = span / fmax(1, ceil(span / every * (1 - 1e-9))); /* curves end at the frame */
+    }
     const size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_output_wrong(data->output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every,
