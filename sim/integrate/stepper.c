@@ -177,8 +177,10 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
         s->active = s->driven + 1 > s->active ? s->driven + 1 : s->active;
     }
     open_window(s, &s->end);
-    if (s->closed) /* all beads touch, also ahead of the window */
+    if (s->closed) { /* beads ahead of the window are at rest, those in it may start apart */
         memset(s->closed, 1, s->beads);
+        bead_damped_contacts_update(s);
+    }
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
     *stepper = s;
     return BEAD_OK;

@@ -406,6 +406,34 @@ static void restitution_follows_the_expansion(void **state)
     }
 }
 
+/* Beads that start apart do not damp each other until they touch, here after 5 us. */
+static void open_contacts_do_not_damp(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "gap: 1 um, start: [{bead: 2, velocity: -0.2 m/s}]",
+        "gap: 3 um, start: [{bead: 1, displacement: 1 um}, {bead: 2, velocity: -0.2 m/s, displacement: -1 um}]"};
+    for (size_t i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 BALLS "chain: {striker: {bead: ball, velocity: 0}, beads: [{bead: ball, count: 3}], damping: "
+                       "{coefficient: 20, exponent: 1}, %s}\n",
+                 chains[i]);
+        struct built built = build(text, "until: 9 us");
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 9e-6});
+        struct bead_sample sample = {.chain = 0};
+        const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
+        for (double t = 0; t < 4.9e-6; t += 0.7e-6) {
+            run_until(run, t);
+            assert_int_equal(bead_run_sample(run, t, fields, (struct bead_span){0, 3}, &sample, NULL), BEAD_OK);
+            assert_true(sample.field[BEAD_FIELD_CONTACT_FORCE][1] == 0 && sample.field[BEAD_FIELD_CONTACT_FORCE][2] == 0);
+            assert_near(sample.field[BEAD_FIELD_VELOCITY][2], -0.2, 1e-15);
+        }
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -421,6 +449,7 @@ int main(void)
         cmocka_unit_test(budgets_take_few_steps),
         cmocka_unit_test(budgets_of_short_steps),
         cmocka_unit_test(momentum_spreads_like_heat),
+        cmocka_unit_test(open_contacts_do_not_damp),
     };
     return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
 }
