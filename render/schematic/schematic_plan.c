@@ -31,7 +31,6 @@ void bead_plan_free(struct bead_plan *plan)
     free(plan->lanes.lane);
     plan->rows = NULL;
     plan->lanes.lane = NULL;
-    plan->row_count = 0;
 }
 
 double bead_plan_wall(const struct bead_plan *plan, const struct bead_plan_row *row)

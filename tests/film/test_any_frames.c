@@ -73,6 +73,16 @@ static bool same_words(const struct texts *a, const struct texts *b, double slac
     return same;
 }
 
+/* Beside its beads a panel has room for a striker that flies back: 1.6 of their mean distance, at least 0.9 of the type's size and
+ * at most 2.6. The mean is that of the whole panel, room included. */
+static void beads_have_room_to_fly(const struct bead_composer *c, const char *output)
+{
+    const double em = c->look.tick, pitch = c->layout.chains[0].plot[0].width / (double)c->wants.beads, around = 1.4;
+    const double least = fmin(2.6 * em, fmax(0.9 * em, 1.6 * pitch)), most = fmin(2.6 * em, fmax(0.9 * em, 1.6 * around * pitch));
+    if (c->layout.beyond[0] > 0 && !(c->layout.beyond[0] > least - 1 && c->layout.beyond[0] < most + 1))
+        fail_msg("%s: %d px beside beads that are %g px apart", output, c->layout.beyond[0], pitch);
+}
+
 /* On stages, whose beads have sizes in steps, only words are looked at. */
 static bool is_the_same_at_twice_the_size(const char *chains, const char *output, char why[300])
 {
@@ -84,6 +94,7 @@ static bool is_the_same_at_twice_the_size(const char *chains, const char *output
         open_film(&f[k], chains, output, 2 << k);
         draw(&f[k], feed(&f[k], 3), &(struct bead_changes){0});
         take_lines(&lines[k]);
+        beads_have_room_to_fly(f[k].composer, output);
         words_are_apart(&f[k].texts, (2 << k) * film_size[0], (2 << k) * film_size[1], output);
         if (!strstr(output, "beads") && !strstr(output, "stage")) /* whose numbers are where they are */
             (void)numbers_are_in_place(&f[k].texts, output);

@@ -139,6 +139,13 @@ static const struct system {
     {"chain: {equation: kdv, low: -12, length: 34, points: 100, start: {solitons: [{speed: 4, at: 0}]}}\nsimulate: {until: 0.5}\n",
      {"image: %s", "plot: %s, show: profiles, at: [0, 0.2, 0.5]", "image: %s, views: [profile, spacetime], theme: dark",
       "image: %s, orientation: time-down, scale: log", "image: %s, views: [profile], at: 0.3"}},
+    {"materials:\n  one: {density: 7800 kg/m3, modulus: 200 GPa, poisson: 0.3, radius: 5 mm, colour: \"#19a7e3\"}\n"
+     "  other: {density: 2700 kg/m3, modulus: 70 GPa, poisson: 0.3, radius: 5 mm, colour: \"#d1396d\"}\n"
+     "chain: {striker: {bead: one, velocity: 1 m/s}, beads: [{cell: [one, other], count: 3}, {bead: one, sensor: s}], wall: "
+     "other}\n"
+     "simulate: {until: 0.1 ms}\n",
+     {"image: %s, views: [beads, profile]", "plot: %s, show: setup", "plot: %s, show: contact", "plot: %s, show: cell",
+      "image: %s, views: [beads, spacetime], theme: dark"}},
     {"sweep: {cells: 3, magnetism: [0, 1], configurations: 3}\n",
      {"plot: %s", "plot: %s, show: mean", "sheet: %s, configurations: 2", "plot: %s, show: median, theme: dark",
       "sheet: %s, field: velocity, theme: dark, orientation: time-down"}},
@@ -280,6 +287,27 @@ static void draw_chains(uint64_t seed)
     draw_pages(&run);
 }
 
+/* What has two parts of the colour of a material has the third, in their order. Returns how often. */
+static size_t whole_colours(void)
+{
+    size_t whole = 0;
+    static const double own[][3] = {{0x19 / 255.0, 0xa7 / 255.0, 0xe3 / 255.0}, {0xd1 / 255.0, 0x39 / 255.0, 0x6d / 255.0}};
+    for (size_t i = 0; i < strokes.count; i++) {
+        for (size_t m = 0; m < sizeof own / sizeof *own; m++) {
+            const double *c = strokes.list[i].rgb;
+            int parts = 0, there = 0;
+            for (int k = 0; k < 3; k++) {
+                there += fabs(c[k] - own[m][k]) < 1e-9;
+                parts += fmin(fabs(c[0] - own[m][k]), fmin(fabs(c[1] - own[m][k]), fabs(c[2] - own[m][k]))) < 1e-9;
+            }
+            whole += there == 3;
+            if (parts > 1 && there < 3)
+                fail_msg("a colour of %g, %g, %g", c[0], c[1], c[2]);
+        }
+    }
+    return whole;
+}
+
 static void draw_system(const struct system *system)
 {
     static struct scene run;
@@ -292,6 +320,7 @@ static void draw_system(const struct system *system)
         add(&pages[page_count], system->pages[page_count], file);
     }
     draw_pages(&run);
+    assert_true(whole_colours() > 0 || !strstr(system->text, "colour:"));
 }
 
 static void other_systems_keep_the_laws(void **)
