@@ -2,6 +2,8 @@
 /* The front's arrival compared with another way to find it: forces after each of many short steps. */
 #include "support.h"
 
+#include "sim/chain/chain_internal.h"
+
 /* Time when the last contact has 1e-4 of the largest force so far, both less the static ones: between steps so short that the
  * logarithm of the force is straight. */
 static double arrival_by_steps(const char *chain, const char *step)
@@ -69,6 +71,37 @@ static void fronts_arrive_when_the_last_force_rises(void **state)
             release(&built);
         }
     }
+}
+
+/* Equal beads take over the striker's velocity one by one: the front crosses each gap with it. So does the estimate of its passage.
+ */
+static void fronts_cross_gaps(void **state)
+{
+    (void)state;
+    static const double gaps[] = {1e-7, 2e-5, 1e-2}, speed = 0.25;
+    enum { GAPS = 5 };
+    struct built tight = build("chain: {striker: {velocity: 0.25 m/s}, beads: [{bead: large-steel, count: 6}]}\n", "");
+    const double energy = bead_chain_energy(tight.chain), passage = bead_chain_passage(tight.chain, energy);
+    assert_true(bead_chain_flight(tight.chain) == 0);
+    for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++) {
+        char chain[200];
+        struct bead_message msg = {""};
+        snprintf(chain, sizeof chain, "chain: {striker: {velocity: 0.25 m/s}, gap: %g, beads: [{bead: large-steel, count: 6}]}\n",
+                 gaps[g]);
+        struct built built = build(chain, "");
+        const double flight = GAPS * gaps[g] / speed;
+        assert_near(bead_chain_flight(built.chain), flight, 1e-12 * flight);
+        assert_near(bead_chain_passage(built.chain, energy), passage + flight, 1e-9 * passage);
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = BEAD_PASSAGE_OF_FRONT});
+        while (isnan(bead_run_arrival(run))) {
+            if (bead_run_step(run, &msg))
+                fail_msg("%s", msg.text);
+        }
+        assert_true(bead_run_arrival(run) > flight && bead_run_arrival(run) < flight + 4 * passage);
+        bead_run_destroy(run);
+        release(&built);
+    }
+    release(&tight);
 }
 
 /* The first pulse is over when the last contact has a twentieth of its largest force left. */
@@ -181,7 +214,7 @@ static void pulses_are_over_at_sensors_too(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(fronts_arrive_when_the_last_force_rises),
-                                       cmocka_unit_test(pulses_are_over_at_a_twentieth),
+                                       cmocka_unit_test(fronts_cross_gaps), cmocka_unit_test(pulses_are_over_at_a_twentieth),
                                        cmocka_unit_test(pulses_are_over_at_sensors_too)};
     return cmocka_run_group_tests_name("front", tests, NULL, NULL);
 }
