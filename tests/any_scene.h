@@ -11,7 +11,7 @@ enum { ANY_OUTPUTS = 8, ANY_SAMPLES = 60 };
 /* The beads that curves of places need, and from which sample on, if they say so. */
 struct any_places {
     bool are, timed;
-    size_t low, high, from;
+    size_t low, high, from, to;
 };
 
 /* Beads are numbered from 0, the striker, to `beads`. */
@@ -161,14 +161,22 @@ static inline void any_output(struct any_scene *scene, struct drawing *d, size_t
     if (keys & EVERY)
         ADD(", every: %.17g s", (double)by * scene->every);
     any_time(d, by, &from, &to);
-    const bool timed = (keys & TIME) && draw_below(d, 2);
+    const bool timed = (keys & TIME) && draw_below(d, 2), open = draw_below(d, 2);
     if (timed)
-        ADD(", time: [%.17g s, %.17g s]", (double)from * scene->every, (double)to * scene->every);
+        ADD(", time: [%.17g s, ", (double)from * scene->every);
+    if (timed && open)
+        ADD("auto]");
+    else if (timed)
+        ADD("%.17g s]", (double)to * scene->every);
     for (unsigned key = BEADS; key <= CONTACTS; key *= 2) {
         const size_t most = scene->beads - (key == CONTACTS), one = draw_below(d, most + 1), other = draw_below(d, 2) ? 0 : most;
         if ((keys & key) && (keys & TIME))
-            scene->places[o] =
-                (struct any_places){true, timed, one < other ? one : other, (one > other ? one : other) + (key == CONTACTS), from};
+            scene->places[o] = (struct any_places){true,
+                                                   timed,
+                                                   one < other ? one : other,
+                                                   (one > other ? one : other) + (key == CONTACTS),
+                                                   from,
+                                                   open ? ANY_SAMPLES : to};
         if ((keys & key) && (keys & ONE))
             ADD(", beads: [%zu]", one);
         else if (keys & key)

@@ -9,7 +9,7 @@
 #include "tests/any_scene.h"
 #include "tests/scratch.h"
 
-enum { SCENES = 34, POSSIBLE = 238 /* of their outputs: the others are not for their chains */, BYTES_MOST = 1 << 18 };
+enum { SCENES = 34, POSSIBLE = 250 /* of their outputs: the others are not for their chains */, BYTES_MOST = 1 << 18 };
 
 static char scene_path[600];
 
@@ -224,6 +224,25 @@ static size_t cut_rows(char *text, double from, double to)
     return count;
 }
 
+/* "time: is from 1.2 us to 40 us, but FILE goes from 20 us to 57.22 us only", of samples. */
+static void times_are_told(const char *message, const size_t sample[4], double every)
+{
+    static const char *const before[4] = {"is from ", " to ", " goes from ", " to "};
+    const char *at = strstr(message, "time: ");
+    for (size_t i = 0; at && i < 4; i++) {
+        char *unit;
+        at = strstr(at, before[i]);
+        const double told = at ? strtod(at + strlen(before[i]), &unit) : NAN, time = (double)sample[i] * every;
+        const double by = !at || strncmp(unit, " s", 2) == 0 ? 1
+                          : strncmp(unit, " ms", 3) == 0     ? 1e-3
+                          : strncmp(unit, " us", 3) == 0     ? 1e-6
+                                                             : 1e-9;
+        if (!(fabs(told * by - time) <= 1e-3 * time))
+            fail_msg("'%s': number %zu is not %g s", message, i, time);
+        at = unit;
+    }
+}
+
 /* Curves of places are there where the part has them, for the times that it has: a run that was stopped ends early, but none begins
  * late. */
 static void play_part(const struct any_scene *scene, size_t output, const struct part *part)
@@ -238,6 +257,8 @@ static void play_part(const struct any_scene *scene, size_t output, const struct
     if (!err != (p->low >= part->first && p->high <= part->last && (!p->timed || p->from >= part->from) && rows > 0))
         fail_msg("%s\n%s of beads %zu to %zu, samples %zu to %zu: '%s'", scene->chain.text, scene->output[output], part->first,
                  part->last, part->from, part->to, msg.text);
+    if (err && p->timed && p->from < part->from)
+        times_are_told(msg.text, (const size_t[]){p->from, p->to, part->from, ANY_SAMPLES}, scene->every);
     if (err)
         return;
     read_file(in("later", name), bytes[1]);
@@ -280,7 +301,7 @@ static void play_later(const struct any_scene *scene, const bool *with, struct d
     char last[600];
     struct part part = {.first = draw_below(d, scene->beads)};
     part.last = part.first + 1 + draw_below(d, scene->beads - part.first);
-    any_time(d, 1, &part.from, &part.to);
+    any_time(d, 6, &part.from, &part.to); /* what is sampled each second or third time begins with the part */
     snprintf(last, sizeof last,
              "  - {trajectory: run.h5, every: %.17g s, fields: all, uncertainty: true}\n  - {trajectory: part.h5, every: %.17g s, "
              "fields: all, beads: "
