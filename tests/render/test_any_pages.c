@@ -5,7 +5,7 @@
 #include "drawn.h"
 #include "page_laws.h"
 
-enum { PAGES_MOST = 8, RUNS = 3, FIRST_SEED = 20, LEAST_WIDTH = 120, LEAST_HEIGHT = 90, DPI = 381, CHAINS_MOST = 3 };
+enum { PAGES_MOST = 8, RUNS = 3, FIRST_SEED = 20, LEAST_WIDTH = 120, LEAST_HEIGHT = 90, DPI = 190, CHAINS_MOST = 3 };
 static struct drawn drawn[2];
 static uint64_t random_state;
 
@@ -193,7 +193,7 @@ static bool same_marks(size_t page, size_t other, double slack, char why[200])
     size_t i = next_mark(a, page, 0), j = next_mark(b, other, 0);
     for (; i < a->marks && j < b->marks; i = next_mark(a, page, i + 1), j = next_mark(b, other, j + 1)) {
         const struct mark *m = &a->mark[i], *n = &b->mark[j];
-        double apart = m->filled == n->filled ? 8 * fabs(m->width - n->width) : INFINITY; /* widths are rounded more finely */
+        double apart = m->filled == n->filled ? 6 * fabs(m->width - n->width) : INFINITY; /* widths are rounded more finely */
         for (int k = 0; k < 2; k++)
             apart = fmax(apart, fmax(fabs(m->low[k] - n->low[k]), fabs(m->high[k] - n->high[k])));
         snprintf(why, 200, "path %zu, %g wide, %g to %g, %g to %g pt, is also %g wide, at %g to %g, %g to %g", i, m->width,
@@ -231,42 +231,40 @@ static bool has_even_axes(const char *keys)
     return true;
 }
 
-/* In another order and with twice the pixels. What rounding decides, as the number of ticks, differs in one size, but not in all: a
- * page is the same in one of three. */
-static void pages_are_the_same_otherwise(const struct scene *run, const int size[2])
+/* Are all pages, or were they in another size, the same in another order and with twice the pixels? */
+static bool all_same(bool same[PAGES_MOST], char why[PAGES_MOST][200])
+{
+    const double slack = 3; /* pt: legends are put to one of a few places, beads are a part of a row of whole pixels */
+    bool all = true;
+    for (size_t p = 0; p < page_count; p++) {
+        const size_t other = page_count - 1 - p;
+        same[p] = same[p] || (same_marks(p, other, slack, why[p]) && same_texts(p, other, slack, why[p]));
+        all = all && same[p];
+    }
+    return all;
+}
+
+/* What rounding decides, as the number of ticks, differs in one size, but not in all: a page is the same in one of three. */
+static void draw_pages(const struct scene *run)
 {
     enum { SIZES = 3 };
-    const double slack = 3; /* pt: legends are put to one of a few places, beads are a part of a row of whole pixels */
     char why[PAGES_MOST][200];
     bool same[PAGES_MOST] = {false}, all = false;
-    for (int s = 0; s < SIZES && !all; s++) {
-        const int larger[2] = {size[0] + s, size[1] + s};
-        if (s > 0)
-            record(run, larger, DPI, false, &drawn[0]);
-        record(run, larger, 2 * DPI, true, &drawn[1]);
-        all = true;
+    int size[2] = {LEAST_WIDTH + (int)any(70), LEAST_HEIGHT + (int)any(70)};
+    for (int s = 0; s < SIZES && !all; s++, size[0]++, size[1]++) {
+        record(run, size, DPI, false, &drawn[0]);
+        record(run, size, 2 * DPI, true, &drawn[1]);
+        all = all_same(same, why);
+        page_laws_everywhere(&drawn[1], size[0] * 72 / 25.4, size[1] * 72 / 25.4);
         for (size_t p = 0; p < page_count; p++) {
-            const size_t other = page_count - 1 - p;
-            same[p] = same[p] || (same_marks(p, other, slack, why[p]) && same_texts(p, other, slack, why[p]));
-            all = all && same[p];
+            if (has_even_axes(pages[page_count - 1 - p].text))
+                page_laws_of_axes(&drawn[1], p);
         }
     }
     for (size_t p = 0; p < page_count; p++) {
         if (!same[p])
             fail_msg("%s: in other ways, %s", pages[p].text, why[p]);
     }
-}
-
-static void draw_pages(const struct scene *run)
-{
-    const int size[2] = {LEAST_WIDTH + (int)any(70), LEAST_HEIGHT + (int)any(70)};
-    record(run, size, DPI, false, &drawn[0]);
-    page_laws_everywhere(&drawn[0], size[0] * 72 / 25.4, size[1] * 72 / 25.4);
-    for (size_t p = 0; p < page_count; p++) {
-        if (has_even_axes(pages[p].text))
-            page_laws_of_axes(&drawn[0], p);
-    }
-    pages_are_the_same_otherwise(run, size);
 }
 
 static void draw_chains(uint64_t seed)
