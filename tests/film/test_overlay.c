@@ -225,7 +225,9 @@ static void notes_are_boxes_with_tips(void **)
             assert_at(box->y + high, spot.stage.y + spot.stage.height - 1);
             assert_at(box->x + box->width / 2, spot.x);
             assert_at(box->tip_x, spot.x);
-            assert_true(box->tip_y < box->y && box->tip_y <= spot.y + 0.55 * spot.r + 1e-6 && box->tip_y > spot.y - spot.r);
+            assert_true(box->tip_y < box->y && box->tip_y <= spot.y + 0.55 * spot.r + 1e-6);
+            assert_true(box->tip_y >
+                        fmin(spot.y + 0.5 * spot.r, box->y - 0.3 * high)); /* in the bead's lower half, or near the note */
             assert_true(fabs(said->x - box->x - 0.5 * type) < 3 && fabs(box->width - said->width - type) < 2);
             assert_true(in_the_middle(said, box->y, high));
             size_t shapes = 0;
