@@ -357,7 +357,8 @@ const struct bead_system bead_system_shock = {
     .name = "shock",
     .help =
         "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2); values are means over the "
-        "cells of the grid; the ripples in the 20 points behind a shock, up to 0.1 % of its height, are made by the scheme (WENO of "
+        "cells of the grid; the ripples in the 20 points behind a shock, up to 0.1 % of its height, are made by the scheme (WENO "
+        "of "
         "fifth order)",
     .label = "shock",
     BEAD_EQUATION_WORDS,

@@ -148,7 +148,8 @@ static void find_rising(struct bead_session *s)
     }
     if (rising > 0)
         snprintf(s->warning[SESSION_RISING], sizeof s->warning[SESSION_RISING],
-                 "sweep: in %zu of %zu chains a measured force was still rising when the run ended, so its peak may be larger than said: "
+                 "sweep: in %zu of %zu chains a measured force was still rising when the run ended, so its peak may be larger than "
+                 "said: "
                  "measure beads that are farther from the end, or give a later simulate.until",
                  rising, all);
 }
