@@ -40,7 +40,7 @@ enum bead_error bead_hold_create(const struct bead_chain *chain, struct bead_spa
     for (size_t i = 0; i < spec->segment_count; i++)
         h->cell = spec->segments[i].cell_beads > h->cell ? spec->segments[i].cell_beads : h->cell;
     h->cell = h->cell < LONGEST_CELL ? h->cell : LONGEST_CELL;
-    h->lasting = isfinite(passage) ? passage * (double)h->cell / fmax(1, (double)bead_chain_contacts(chain)) : 0;
+    h->lasting = passage * (double)h->cell / fmax(1, (double)bead_chain_contacts(chain));
     for (size_t k = 0; k < SAMPLES; k++)
         h->time[k] = -INFINITY;
     BEAD_TRY(bead_new(&h->most, h->count, msg, "a profile"));
