@@ -230,7 +230,7 @@ static void times_are_told(const char *message, const size_t sample[4], double e
     static const char *const before[4] = {"is from ", " to ", " goes from ", " to "};
     const char *at = strstr(message, "time: ");
     for (size_t i = 0; at && i < 4; i++) {
-        char *unit;
+        char *unit = NULL;
         at = strstr(at, before[i]);
         const double told = at ? strtod(at + strlen(before[i]), &unit) : NAN, time = (double)sample[i] * every;
         const double by = !at || strncmp(unit, " s", 2) == 0 ? 1

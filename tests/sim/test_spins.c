@@ -73,6 +73,10 @@ static void segments_keep_their_magnetism(void **state)
             assert_true(memcmp(found[i].spins, found[other].spins, 27) != 0);
     }
     assert_true(alike <= 4); /* of 45 possible draws of 8 in 10, by chance */
+    struct bead_sweep_configuration clean;
+    bead_sweep_configuration(sweep, 0, BEAD_SWEEP_CLEAN, &clean);
+    for (size_t k = 0; k < 27; k++)
+        assert_int_equal(clean.spins[k], '1');
     bead_sweep_close(sweep);
     bead_scene_free(scene);
 }

@@ -165,6 +165,33 @@ static void chains_and_spans(void **state)
     tear_down(&s, 1);
 }
 
+/* From group to group, the default plot of a file leads to a field that is stored, whichever it is. */
+static void default_plots_are_stored(void **state)
+{
+    (void)state;
+    static const char *const fields[] = {"force", "velocity", "displacement", "energy", "contact-force", "compression"};
+    for (size_t f = 0; f < sizeof fields / sizeof *fields; f++) {
+        struct stand s;
+        char text[100], path[200] = "/", child[64];
+        snprintf(text, sizeof text, "trajectory: run.h5, every: 10 us, fields: [%s]", fields[f]);
+        set_up(&s, ONE_CHAIN, text, 0.1e-3);
+        deliver(&s, 11);
+        finish(&s);
+        hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        while (H5Aexists_by_name(file, path, "default", H5P_DEFAULT) > 0) {
+            assert_true(H5LTget_attribute_string(file, path, "default", child) >= 0);
+            snprintf(path + strlen(path), sizeof path - strlen(path), "%s%s", path[1] ? "/" : "", child);
+            if (H5Lexists(file, path, H5P_DEFAULT) <= 0)
+                fail_msg("%s: its default plot is %s, which is not there", fields[f], path);
+        }
+        assert_non_null(strrchr(path + 1, '/'));
+        strcat(path, "/value");
+        assert_true(H5Lexists(file, path, H5P_DEFAULT) > 0);
+        H5Fclose(file);
+        tear_down(&s, 1);
+    }
+}
+
 /* Only requested fields are computed and stored. */
 static void nothing_more_than_asked(void **state)
 {
@@ -449,6 +476,7 @@ int main(void)
         cmocka_unit_test(killed_runs_open_at_the_last_flush),
         cmocka_unit_test(stopped_runs_keep_whole_samples),
         cmocka_unit_test(contents_do_not_depend_on_flushes),
+        cmocka_unit_test(default_plots_are_stored),
         cmocka_unit_test(the_layout_is_h5md),
         cmocka_unit_test(stiffness_has_the_unit_of_its_law),
         cmocka_unit_test(net_force_accelerates),
