@@ -197,15 +197,15 @@ static bool same_lines(const struct lines lines[2], double slack, char why[300])
     return same;
 }
 
-/* Words are on the frame, and none is on another. */
+/* Words are on the frame, and none is on another; stars and braces of markup are no words. */
 static void words_are_apart(const struct texts *texts, int width, int height, const char *what)
 {
     /* Of its line, what letters lack above and below: empirical, of the font of these films. */
     const double air = 0.14;
     for (size_t i = 0; i < texts->count; i++) {
         const struct text *a = &texts->text[i];
-        bool good =
-            a->x >= -1 && a->x + a->width <= width + 1 && a->y + air * a->height >= 0 && a->y + (1 - air) * a->height <= height;
+        bool good = !strstr(a->markup, "*") && !strstr(a->markup, "_{") && a->x >= -1 && a->x + a->width <= width + 1 &&
+                    a->y + air * a->height >= 0 && a->y + (1 - air) * a->height <= height;
         for (size_t j = 0; j < i; j++) {
             const struct text *b = &texts->text[j];
             good = good &&

@@ -20,7 +20,7 @@ static size_t any(size_t count)
 static void any_chains(char *text, size_t size)
 {
     static const char *const
-        names[] = {"A", "a longer name", "*B*_{2}", "D"},
+        names[] = {"A", "a longer name", "C", "D"},
         *const beads[] = {"{bead: large-steel, count: 39}, {bead: ptfe, sensor: s}", "{bead: large-steel, count: 50}",
                           "{cell: [large-steel, aluminium], count: 25, spins: random}, {bead: brass, sensor: end}",
                           "{bead: small-steel, count: 12}, {bead: large-steel, sensor: middle}, {bead: small-steel, count: 5}",
@@ -50,13 +50,14 @@ static void any_output(char *text, size_t size)
                              *const fields[] = {", field: velocity", ", field: displacement", ", field: contact-force",
                                                 ", field: energy"},
                              *const looks[] = {", theme: light", ", type: large", ", light: beads", ", theme: light, light: none"},
-                             *const more[] = {", orientation: time-right",
-                                              ", orientation: time-down",
-                                              ", scale: linear",
-                                              ", profile: cell",
-                                              ", colormap: batlow",
-                                              ", beads: [3, 12]",
-                                              ", captions: [{at: 0.2 ms, until: 0.6 ms, text: first}, {at: 0.7 ms, text: second}]"};
+                             *const more[] = {
+                                 ", orientation: time-right",
+                                 ", orientation: time-down",
+                                 ", scale: linear",
+                                 ", profile: cell",
+                                 ", colormap: batlow",
+                                 ", beads: [3, 12]",
+                                 ", captions: [{at: 0.2 ms, until: 0.6 ms, text: \"*F*_{m} first\"}, {at: 0.7 ms, text: second}]"};
     snprintf(text, size, "%s%s%s%s%s", ANY(views), ANY_OF(layouts), ANY_OF(fields), ANY_OF(looks), ANY_OF(more));
 }
 

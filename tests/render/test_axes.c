@@ -322,6 +322,31 @@ static void logarithmic_axes_have_labels(void **state)
     }
 }
 
+/* Labels beside each other are apart by 1.2 of their type, or nearly so, on long axes and short ones. */
+static void logarithmic_labels_are_apart(void **)
+{
+    struct bead_look look;
+    bead_look_screen(&look, 1280, 720, false);
+    const struct bead_text_style style = {.family = look.family, .size = look.tick};
+    for (int begin = -3; begin < 3; begin++) {
+        for (int decades = 2; decades < 8; decades++) {
+            for (int length = 60; length < 400; length += 20) {
+                struct bead_axis axis;
+                double end = -INFINITY, width, height;
+                bead_axis_make(&axis, pow(10, begin), pow(10, begin + decades), "", BEAD_SCALE_LOG, length, look.tick, true);
+                for (size_t i = 0; i < axis.count; i++) {
+                    bead_text_size(NULL, &style, axis.ticks[i].label, &width, &height);
+                    const double middle = axis.ticks[i].place * length;
+                    if (!(middle - width / 2 > end + 1.15 * look.tick))
+                        fail_msg("1e%d to 1e%d in %d px: '%s' is too near the label before", begin, begin + decades, length,
+                                 axis.ticks[i].label);
+                    end = middle + width / 2;
+                }
+            }
+        }
+    }
+}
+
 /* The label of a number with so many decimals, as it is shown, in characters. */
 static size_t letters_of(double number, int decimals)
 {
@@ -441,6 +466,7 @@ int main(void)
         cmocka_unit_test(test_low_axes_have_two_numbers),  cmocka_unit_test(ticks_stand_at_their_values),
         cmocka_unit_test(steps_are_the_smallest_that_fit), cmocka_unit_test(axes_have_these_labels),
         cmocka_unit_test(labels_stand_at_their_ticks),     cmocka_unit_test(titles_fit_the_room),
-        cmocka_unit_test(boxes_surround_their_pixels),     cmocka_unit_test(logarithmic_axes_have_labels)};
+        cmocka_unit_test(boxes_surround_their_pixels),     cmocka_unit_test(logarithmic_axes_have_labels),
+        cmocka_unit_test(logarithmic_labels_are_apart)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
