@@ -4,6 +4,7 @@
 #include "support.h"
 
 #include "scratch.h"
+#include "strokes.h"
 
 #include "beadreel/session.h"
 #include "beadreel/view.h"
@@ -43,6 +44,37 @@ static double find_horizon(const char *chain, const char *simulate, double toler
     bead_run_destroy(runs[1]);
     release(&built);
     return time;
+}
+
+/* Where all beads differ from one time on, the line goes straight from edge to edge of the image, and no further. */
+static void lines_end_at_the_edges(void **)
+{
+    enum { SEEN = 5, COLUMNS = 100 };
+    struct bead_message msg = {""};
+    struct bead_look look;
+    struct bead_horizon *horizon;
+    struct bead_area_setup setup = {{0, SEEN - 1}, {0, 1}, SEEN, COLUMNS, BEAD_SAMPLING_AREA};
+    const struct bead_rect plot = {20, 30, 200, 100};
+    assert_int_equal(bead_horizon_create(&setup, &horizon, &msg), BEAD_OK);
+    for (int i = 0; i <= 2 * COLUMNS; i++) {
+        const double first[SEEN] = {0}, later[SEEN] = {1, 1, 1, 1, 1}, time = 0.5 * i / COLUMNS;
+        bead_horizon_feed(horizon, time, first, time > 0.3 ? later : first, SEEN);
+    }
+    (void)bead_horizon_find(horizon, 0.4, COLUMNS);
+    assert_at(bead_horizon_time(horizon), 0.3);
+    bead_look_screen(&look, 1280, 720, false);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 240, 160);
+    cairo_t *cr = cairo_create(surface);
+    for (int down = 0; down < 2; down++) {
+        strokes_begin();
+        bead_horizon_draw(horizon, cr, &look, plot, down ? BEAD_TIME_DOWN : BEAD_TIME_RIGHT, true);
+        strokes.on = false;
+        assert_int_equal(strokes.count, 2);
+        assert_bounds(&strokes.list[0], down ? 20 : 80, down ? 60 : 30, down ? 220 : 80, down ? 60 : 130);
+    }
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    bead_horizon_destroy(horizon);
 }
 
 static void disorder_has_a_horizon(void **state)
@@ -312,6 +344,7 @@ static void movies_draw_the_same_line_in_any_parts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lines_end_at_the_edges),
         cmocka_unit_test(disorder_has_a_horizon),
         cmocka_unit_test(order_has_none_in_the_first_passage),
         cmocka_unit_test(smaller_differences_come_first),
