@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "beadreel/render.h"
 #include "sessions.h"
 #include "tests/scratch.h"
 
@@ -319,9 +320,40 @@ static void files_beside_are_trees(void **)
     assert_true(depth == 0 && deepest == 7 && grids == 7);
 }
 
+/* An image of some beads is drawn of those that the file has, if there are any. */
+static void beads_are_shown_where_they_are_stored(void **)
+{
+    static const struct bead_sink_type *const *sinks[3];
+    char run[600], out[600];
+    sinks[0] = bead_data_sinks();
+    sinks[1] = bead_render_sinks();
+    snprintf(run, sizeof run, "%s/all/run.h5", directory);
+    snprintf(out, sizeof out, "%s/x.png", directory);
+    play(PRESSED, "every: 1 us, fields: all, beads: [3, 6]", (const char *const[]){"show: chain", NULL}, "all");
+    for (int first = 0; first <= 9; first++) {
+        for (int last = first; last <= 9; last++) {
+            char setting[100];
+            struct bead_message msg = {""};
+            struct bead_session *session = NULL;
+            snprintf(setting, sizeof setting, "outputs=[{image: x.png, beads: [%d, %d]}]", first, last);
+            const struct bead_job job = {.size = sizeof job,
+                                         .input = run,
+                                         .output = out,
+                                         .sinks = sinks,
+                                         .settings = (const char *const[]){setting},
+                                         .setting_count = 1};
+            const enum bead_error err = bead_session_open(&job, &session, &msg);
+            bead_session_close(session);
+            if (!err != (first <= 6 && last >= 3) || (err && !strstr(msg.text, "holds beads 3 to 6 only")))
+                fail_msg("%s: '%s'", setting, msg.text);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(stored_runs_say_the_same), cmocka_unit_test(parts_are_in_the_whole),
-                                       cmocka_unit_test(two_runs_are_those_alone), cmocka_unit_test(files_beside_are_trees)};
+                                       cmocka_unit_test(two_runs_are_those_alone), cmocka_unit_test(files_beside_are_trees),
+                                       cmocka_unit_test(beads_are_shown_where_they_are_stored)};
     return cmocka_run_group_tests_name("stored", tests, make_directory, remove_directory);
 }
