@@ -449,6 +449,9 @@ static void own_laws_are_found_by_name(void **state)
     assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, NULL, &scene, &msg), BEAD_ERROR_SCENE);
     assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, &with, &scene, &msg), BEAD_OK);
     assert_ptr_equal(scene->chains[0].law.row, &mine);
+    static const char typo[] = "chain: {beads: [{bead: brass}], law: mien}\noutputs: [{table: a.csv}]\n";
+    assert_int_equal(bead_scene_parse("own", typo, sizeof typo - 1, &with, &changed, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "did you mean `mine`?"));
     static const char *const faster[] = {"chain.striker.velocity=1 m/s"};
     const struct bead_overrides change = {.settings = faster, .setting_count = 1};
     assert_int_equal(bead_scene_change(scene, &change, &changed, &msg), BEAD_OK);
