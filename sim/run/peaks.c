@@ -198,17 +198,25 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
     *most = (struct maximum){fmin(fmax(x - rate / bend, 0), 1), curve->part * force};
 }
 
-/* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Rules out
- * nearly all maxima behind the front. */
+/* An upper bound of the compression of contact k within the step, m, beyond the static one: no compression exceeds both ends by
+ * more than its fastest rate allows. One that rises at the start, falls at the end and is concave at both lies below its tangents
+ * there. */
+static double compression_bound(const struct bead_state *start, const struct bead_state *end, double h, size_t k)
+{
+    const double d0 = start->u[k] - start->u[k + 1], d1 = end->u[k] - end->u[k + 1], rate0 = start->v[k] - start->v[k + 1],
+                 rate1 = end->v[k] - end->v[k + 1], bound = fmax(d0, d1) + h * fmax(fabs(rate0), fabs(rate1));
+    const bool turns = rate0 > 0 && rate1 < 0 && start->a[k] < start->a[k + 1] && end->a[k] < end->a[k + 1];
+    return turns ? fmin(bound, d0 + rate0 * (d1 - d0 - rate1 * h) / (rate0 - rate1)) : bound;
+}
+
+/* An upper bound of the force within the step. Rules out nearly all maxima behind the front. */
 static double force_bound(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
 {
     const struct bead_chain *c = s->chain;
     double force = 0;
-    for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < c->contacts; k++) {
-        double d0 = s->start.u[k] - s->start.u[k + 1], d1 = s->end.u[k] - s->end.u[k + 1];
-        double rate = fmax(fabs(s->start.v[k] - s->start.v[k + 1]), fabs(s->end.v[k] - s->end.v[k + 1]));
-        force += c->law->force(c->stiffness[k], &c->spec->law, c->static_compression[k] + fmax(d0, d1) + s->h * rate);
-    }
+    for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < c->contacts; k++)
+        force += c->law->force(c->stiffness[k], &c->spec->law,
+                               c->static_compression[k] + compression_bound(&s->start, &s->end, s->h, k));
     return p->of_beads ? 0.5 * force : force;
 }
 
