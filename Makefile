@@ -213,6 +213,7 @@ extra_kernels_avx2     = $(if $(x86),$(FAST) -mavx2)
 extra_kernels_avx512   = $(if $(x86),$(FAST) -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 # Loops over all samples and pixels.
 extra_trajectory_read = $(FAST)
+extra_heights = $(FAST)
 extra_fourier = $(FAST)
 extra_etd = $(FAST)
 extra_kdv_solver = $(FAST)

@@ -21,8 +21,6 @@ struct bead_peaks {
     const struct bead_chain *chain;
     bool of_beads;
     size_t first, count; /* first..count-1 are searched */
-    const double *after; /* [beads]: s; NULL: all maxima count */
-    double earliest;     /* of these times; 0 */
     struct bead_peak *best;
     struct bead_peak *rival;  /* [beads]: the last other maximum; time NaN: none. NULL: not asked */
     struct bead_peak *second; /* [beads]: the second highest; the same */
@@ -142,14 +140,6 @@ enum bead_error bead_peaks_keep_second(struct bead_peaks *p, const struct bead_s
     return keep_others(p, stepper, &p->second, msg);
 }
 
-void bead_peaks_only_after(struct bead_peaks *p, const double *after)
-{
-    p->after = after;
-    p->earliest = INFINITY;
-    for (size_t i = p->first; i < p->count; i++)
-        p->earliest = fmin(p->earliest, after[i]);
-}
-
 const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks)
 {
     return peaks->rival;
@@ -267,12 +257,6 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
         keep(p, index, (struct bead_peak){.value = value, .time = s->t0});
 }
 
-/* Does the step begin before maxima count? */
-static bool is_early(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
-{
-    return p->after && s->t0 < p->after[index];
-}
-
 /* Finds the maxima of a curve within the step: of a bead, whose force is the sum of two contacts, there may be more than one. Keeps
  * them, or returns true at the first one that is higher than the peak. */
 static bool find_maxima(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_force_curve *curve,
@@ -297,8 +281,6 @@ static bool find_maxima(struct bead_peaks *p, const struct bead_stepper *s, size
 
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    if (is_early(p, s, index))
-        return;
     if (!bead_stepper_damped(s) && force_bound(p, s, index) < interest(p, index))
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
@@ -311,7 +293,7 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     const struct bead_peak *best = &p->best[index];
-    if (is_early(p, s, index) || (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value))
+    if (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value)
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
@@ -459,7 +441,7 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
 {
     size_t n = s->active < p->count ? s->active : p->count;
     p->first = s->first > p->first ? s->first : p->first; /* the others have been dropped */
-    if (n <= p->first || s->t0 < p->earliest)
+    if (n <= p->first)
         return;
     if (s->t0 > limit) {
         follow_late(p, s, n, over);

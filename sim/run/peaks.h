@@ -25,8 +25,6 @@ BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, cons
  * than `apart` seconds after the highest count as the same. Call it before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_second(struct bead_peaks *peaks, const struct bead_stepper *stepper, double apart,
                                                   struct bead_message *msg);
-/* Counts maxima of each only after its time, s. The times must outlive the peaks. Call it before the first step. */
-void bead_peaks_only_after(struct bead_peaks *peaks, const double *after);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Searches the last step; maxima after time `limit` do not count. When the step contains `limit`, forces still rising then are
  * marked as open; these are followed until `over`, and are no longer open after a maximum.

@@ -8,6 +8,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
+#include "sim/run/heights.h"
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
 
@@ -117,6 +118,7 @@ static enum bead_error create_checks(const struct bead_play *p, struct bead_play
 enum bead_error bead_compare_create(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
 {
     struct bead_run_settings settings = settings_of(p, bead_play_comparison_factor(p, compares_samples(p)));
+    settings.heights = bead_compare_peaks(p);
     if (compares_samples(p) || bead_compare_peaks(p))
         BEAD_TRY(create_runs(p, &settings, &played->comparison_runs, msg));
     return create_checks(p, played, msg);
@@ -165,17 +167,16 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
         compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
 }
 
-/* Runs a chain again, as far as its run went, and looks for peaks; if times are given, only after them. */
+/* Runs a chain again, as far as its run went, and looks for peaks. */
 static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double apart,
-                                 double *const after[2], struct bead_runner *again, struct bead_message *msg)
+                                 struct bead_runner *again, struct bead_message *msg)
 {
     struct bead_run_settings settings = settings_of(p, tolerance_factor);
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
     settings.chain = run->chain;
     settings.peaks_apart = apart;
-    for (size_t kind = 0; after && kind < 2; kind++)
-        settings.peaks_after[kind] = after[kind];
+    settings.heights = true;
     BEAD_TRY(bead_runner_create(&settings, again, msg));
     BEAD_TRY(bead_play_run(again, &way, msg));
     if (p->counts) {
@@ -186,33 +187,17 @@ static enum bead_error run_again(const struct bead_play *p, const struct bead_ru
     return BEAD_OK;
 }
 
-/* Two more runs for maxima after the horizon, and after the peaks. */
-static enum bead_error run_late(const struct bead_play *p, const struct bead_runner *run, double factor, double *const after[2],
-                                struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared, struct bead_message *msg)
+/* The heights of another run after the horizon and the peaks, [contacts], then [beads]. */
+static void look_late(const struct bead_run *run, double from, size_t r, double *heights, struct compared *compared)
 {
-    for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++, factor /= 2) {
-        struct bead_outcome found;
-        BEAD_TRY(run_again(p, run, factor, 0, after, &late[i], msg));
-        late[i].kind->finish(late[i].run, late[i].kind->time(late[i].run), &found);
-        compared->kinds[0].late[i] = found.contact_peaks;
-        compared->kinds[1].late[i] = found.bead_peaks;
-    }
-    return BEAD_OK;
-}
-
-static enum bead_error look_late(const struct bead_play *p, const struct bead_runner *run, double factor, double from,
-                                 struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared,
-                                 struct bead_message *msg)
-{
-    const size_t beads = bead_chain_beads(run->chain);
-    BEAD_FREED double *times = NULL;
-    BEAD_TRY(bead_new(&times, 2 * beads, msg, "the peaks of %zu beads", beads));
-    double *const after[2] = {times, times + beads};
     for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < compared->kinds[kind].count; i++)
-            after[kind][i] = bead_uncertainty_after(&compared->of, &compared->kinds[kind], i, from);
+        struct bead_uncertain_peaks *k = &compared->kinds[kind];
+        for (size_t i = 0; i < k->count; i++)
+            heights[i] = bead_heights_after(bead_run_heights(run), kind > 0, i, bead_uncertainty_after(&compared->of, k, i, from),
+                                            k->peaks[i].time + compared->of.apart);
+        k->late[r] = heights;
+        heights += k->count;
     }
-    return run_late(p, run, factor, after, late, compared, msg);
 }
 
 /* Stores the uncertainties of the peaks, and marks the unpredictable ones. */
@@ -223,7 +208,7 @@ static enum bead_error keep(const struct compared *compared, double from, struct
     const struct bead_peak **const peaks[2] = {&outcome->contact_peaks, &outcome->bead_peaks};
     const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty},
                          **const time[2] = {&outcome->contact_time_uncertainty, &outcome->bead_time_uncertainty};
-    const double reach = bead_uncertainty_reach(compared->kinds, from);
+    const double reach = bead_uncertainty_reach(compared->kinds);
     outcome->predictable_until = from;
     note_worst(compared->kinds, outcome);
     for (size_t kind = 0; kind < 2; kind++) {
@@ -276,24 +261,21 @@ static enum bead_error compare_peaks(void *context, size_t chain, bool, struct b
     for (size_t kind = 0; kind < 2; kind++)
         compared.kinds[kind].count =
             (is_fine ? &compared.kinds[kind].fine : &compared.kinds[kind].coarse)->highest ? count[kind] : 0;
-    struct bead_runner fine = {NULL, NULL, NULL}, late[BEAD_UNCERTAINTY_LATE] = {{NULL, NULL, NULL}};
-    double from = INFINITY;
-    enum bead_error err = BEAD_OK;
+    BEAD_LEFT_TO(bead_runner_destroy) struct bead_runner other = {NULL, NULL, NULL};
+    BEAD_FREED double *late = NULL;
     if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
-        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, compared.of.apart, NULL, &fine, msg);
-        if (!err)
-            add_run(&fine, true, outcome, &compared);
+        BEAD_TRY(run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, compared.of.apart, &other, msg));
+        add_run(&other, true, outcome, &compared);
     }
-    if (!err)
-        from = bead_uncertainty_find(&compared.of, compared.kinds);
-    if (!err && from < outcome->end)
-        err = look_late(p, run, c->factor, from, late, &compared, msg);
-    if (!err)
-        err = keep(&compared, from, c->played, chain, msg);
-    bead_runner_destroy(&fine);
-    for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++)
-        bead_runner_destroy(&late[i]);
-    return err;
+    const double from = bead_uncertainty_find(&compared.of, compared.kinds);
+    if (from < outcome->end) {
+        if (!other.run)
+            BEAD_TRY(run_again(p, run, c->factor / 2, compared.of.apart, &other, msg));
+        BEAD_TRY(bead_new(&late, 4 * count[1], msg, "the peaks of %zu beads", count[1]));
+        look_late(c->played->comparison_runs[chain].run, from, 0, late, &compared);
+        look_late(other.run, from, 1, late + 2 * count[1], &compared);
+    }
+    return keep(&compared, from, c->played, chain, msg);
 }
 
 enum bead_error bead_compare_finish(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)

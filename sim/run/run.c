@@ -15,6 +15,7 @@
 #include "sim/run/behind.h"
 #include "sim/run/budget.h"
 #include "sim/run/front.h"
+#include "sim/run/heights.h"
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
 
@@ -58,6 +59,7 @@ struct bead_run {
     bool hopeless;   /* the front will never arrive */
     double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: J, unit of energy errors */
     struct bead_peaks *contact_peaks, *bead_peaks;
+    struct bead_heights *heights;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
     double *arrived, *final;   /* [2][beads] u, v when the front arrives and at the end; NULL: not requested */
@@ -97,8 +99,6 @@ static enum bead_error create_peaks(struct bead_run *r, bool of_beads, struct be
     const struct bead_run_settings *settings = &r->settings;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
     BEAD_TRY(bead_peaks_create(r->stepper, of_beads, span, peaks, msg));
-    if (settings->peaks_after[of_beads])
-        bead_peaks_only_after(*peaks, settings->peaks_after[of_beads]);
     if (settings->rivals)
         BEAD_TRY(bead_peaks_keep_rivals(*peaks, r->stepper, msg));
     return settings->peaks_apart > 0 ? bead_peaks_keep_second(*peaks, r->stepper, settings->peaks_apart, msg) : BEAD_OK;
@@ -126,6 +126,8 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         err = create_peaks(r, false, &r->contact_peaks, msg);
     if (!err && settings->bead_peaks)
         err = create_peaks(r, true, &r->bead_peaks, msg);
+    if (!err && settings->heights)
+        err = bead_heights_create(r->stepper, settings->bead_peaks, &r->heights, msg);
     if (err) {
         bead_run_destroy(r);
         return err;
@@ -150,6 +152,7 @@ void bead_run_destroy(struct bead_run *run)
         return;
     bead_peaks_destroy(run->contact_peaks);
     bead_peaks_destroy(run->bead_peaks);
+    bead_heights_destroy(run->heights);
     bead_dense_destroy(&run->dense);
     bead_stepper_destroy(run->stepper);
     free(run->state_memory);
@@ -178,6 +181,11 @@ const struct bead_peak *bead_run_second_peaks(const struct bead_run *run, bool o
 {
     const struct bead_peaks *peaks = of_beads ? run->bead_peaks : run->contact_peaks;
     return peaks ? bead_peaks_second(peaks) : NULL;
+}
+
+const struct bead_heights *bead_run_heights(const struct bead_run *run)
+{
+    return run->heights;
 }
 
 double bead_run_arrival(const struct bead_run *run)
@@ -380,6 +388,8 @@ static void look_for_peaks(struct bead_run *run)
         bead_peaks_step(run->contact_peaks, s, limit, over);
     if (run->bead_peaks)
         bead_peaks_step(run->bead_peaks, s, limit, over);
+    if (run->heights && !(s->t1 > limit))
+        bead_heights_step(run->heights, s);
 }
 
 /* True if a wanted peak lies in the last step. */

@@ -20,6 +20,7 @@
 #include "beadreel/sink.h"
 #include "sim/integrate/kernels.h"
 
+struct bead_heights;
 struct bead_record;
 struct bead_run;
 
@@ -35,9 +36,9 @@ struct bead_run_settings {
     enum bead_passage passage; /* ends the run if `end` is unknown; peaks count until the front arrives, forces still rising then
                                   until the passage is over */
     bool contact_peaks, bead_peaks;
-    const double *peaks_after[2];      /* [contacts], [beads]: only after these times, s; NULL: all. They must outlive the run */
     bool rivals;                       /* and their rivals: see peaks.h */
     double peaks_apart;                /* s: and the second highest maxima, at least this far from the highest; 0: none */
+    bool heights;                      /* and the largest forces in each part of the run: see heights.h */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
     size_t target;                     /* then the first contact or bead whose peaks are wanted; 0: all are */
@@ -96,6 +97,8 @@ const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
 const struct bead_peak *bead_run_rivals(const struct bead_run *run, bool of_beads);
 /* The second highest maxima, the same. */
 const struct bead_peak *bead_run_second_peaks(const struct bead_run *run, bool of_beads);
+/* NULL: not kept. */
+const struct bead_heights *bead_run_heights(const struct bead_run *run);
 /* Errors: NUMBERS if the energy diverges. */
 BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
 /* Samples fields (BEAD_FIELD_BITs) of the beads in `span` at time t: sets time, active and field. Borrowed until the next call. */

@@ -3,6 +3,7 @@
 #include "sim/run/uncertainty.h"
 
 #include <math.h>
+#include <stdint.h>
 
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
@@ -257,74 +258,72 @@ double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct
     return own > from && !is_poor(of, p, i) ? own : from;
 }
 
-/* Did the run find a maximum after the horizon? */
-static bool is_late(const struct bead_peak *peak, double from)
-{
-    return peak->time >= from && peak->value > 0;
-}
-
-/* The logarithm of the maximum that the late runs find at peak i's contact or bead after the horizon; -INFINITY: none. */
-static double late_height(const struct bead_uncertain_peaks *p, size_t i, double from)
+/* The logarithm of the height that the other runs have at peak i's contact or bead after the horizon; -INFINITY: none. */
+static double late_height(const struct bead_uncertain_peaks *p, size_t i)
 {
     double sum = 0, count = 0;
     for (size_t r = 0; r < BEAD_UNCERTAINTY_LATE; r++) {
-        if (!p->late[r] || !is_late(&p->late[r][i], from))
+        if (!p->late[r] || !(p->late[r][i] > 0))
             continue;
-        sum += bead_log(p->late[r][i].value);
+        sum += bead_log(p->late[r][i]);
         count++;
     }
     return count > 0 ? sum / count : -INFINITY;
 }
 
-/* Logarithms of maxima after the horizon scatter with the variance s^2, which follows from their differences x between two runs:
- * the mean of x^2 is 2 s^2. A third run differs from the mean of these two by 3/2 s^2. */
-static double spread_of(const struct bead_uncertain_peaks kinds[2], double from)
+/* Adds the square of the difference of both other runs' late heights of peak i; false: one of them has none. */
+static bool add_scatter(const struct bead_uncertain_peaks *p, size_t i, double *sum)
 {
+    const double *const *late = p->late;
+    if (!late[0] || !late[1] || !(late[0][i] > 0) || !(late[1][i] > 0))
+        return false;
+    const double x = bead_log(late[0][i] / late[1][i]);
+    *sum += x * x;
+    return true;
+}
+
+/* By how many standard deviations peak i exceeds the other runs' late heights; INFINITY: they have none. Logarithms of heights
+ * after the horizon scatter with the variance s^2, which follows from their differences x between two runs: the mean of x^2 is 2
+ * s^2. A third run differs from the mean of these two by 3/2 s^2. Parts of a chain may be chaotic, and others not: its neighbours
+ * count. */
+static double excess(const struct bead_uncertain_peaks *p, size_t i)
+{
+    enum { ENOUGH = 16 }; /* empirical: 6 and 64 were tried as well; fewer are no sample, more are other parts */
+    const double late = late_height(p, i);
     double sum = 0;
-    size_t count = 0;
-    for (size_t kind = 0; kind < 2; kind++) {
-        const struct bead_peak *const *late = kinds[kind].late;
-        for (size_t i = 0; late[0] && late[1] && i < kinds[kind].count; i++) {
-            if (!is_late(&late[0][i], from) || !is_late(&late[1][i], from))
-                continue;
-            const double x = bead_log(late[0][i].value / late[1][i].value);
-            sum += x * x;
-            count++;
-        }
+    if (!(p->peaks[i].value > 0) || !isfinite(late))
+        return INFINITY;
+    size_t count = add_scatter(p, i, &sum);
+    for (size_t d = 1; count < ENOUGH && d < p->count; d++) {
+        count += i >= d && add_scatter(p, i - d, &sum);
+        count += i + d < p->count && add_scatter(p, i + d, &sum);
     }
-    return count > 0 ? sqrt(0.75 * sum / (double)count) : 0;
+    const double over = bead_log(p->peaks[i].value) - late, spread = count > 0 ? sqrt(0.75 * sum / (double)count) : 0;
+    return spread > 0 ? over / spread : over > 0 ? INFINITY : -INFINITY;
 }
 
 /* Normal deviates beyond this do not matter. */
 static const double furthest = 8;
+enum { BINS = 4096 };
 
-/* How many of the peaks that exceed the late runs' maxima by more than z standard deviations will be overtaken, on average. */
-static double expected(const struct bead_uncertain_peaks kinds[2], double from, double spread, double z)
+double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2])
 {
-    double sum = 0;
+    uint32_t bins[BINS] = {0};
+    size_t above = BINS;
     for (size_t kind = 0; kind < 2; kind++) {
         for (size_t i = 0; i < kinds[kind].count; i++) {
-            const double value = kinds[kind].peaks[i].value;
-            const double own = value > 0 ? (bead_log(value) - late_height(&kinds[kind], i, from)) / spread : INFINITY;
-            if (own >= z && own < furthest)
-                sum += bead_erfc(own * sqrt(0.5)) / 2;
+            const double own = excess(&kinds[kind], i);
+            if (own >= 0 && own < furthest)
+                bins[(size_t)(own * (BINS / furthest))]++;
         }
     }
-    return sum;
-}
-
-double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from)
-{
-    enum { HALVINGS = 12 };
-    const double spread = spread_of(kinds, from);
-    double low = 0, high = furthest;
-    if (!(spread > 0))
-        return 1;
-    for (int i = 0; i < HALVINGS; i++) {
-        const double z = 0.5 * (low + high);
-        *(expected(kinds, from, spread, z) > overtaken ? &low : &high) = z;
+    for (double sum = 0; above > 0; above--) {
+        const uint32_t count = bins[above - 1];
+        sum += count > 0 ? count * bead_erfc((double)(above - 1) * (furthest / BINS) * sqrt(0.5)) / 2 : 0;
+        if (sum > overtaken)
+            break;
     }
-    return bead_exp(high * spread);
+    return (double)above * (furthest / BINS);
 }
 
 /* May a later maximum after the horizon be higher than peak i? It is in other runs, or nearly so. */
@@ -334,11 +333,11 @@ static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct 
     const struct bead_peak *const others[] = {p->coarse.highest, p->fine.highest};
     for (size_t r = 0; r < sizeof others / sizeof *others; r++) {
         const struct bead_peak *other = others[r] ? &others[r][i] : NULL;
-        if (other && is_late(other, from) && !is_same(of, &p->peaks[i], other) && !(of->end > 0 && other->time > of->end))
+        if (other && other->time >= from && other->value > 0 && !is_same(of, &p->peaks[i], other) &&
+            !(of->end > 0 && other->time > of->end))
             return true;
     }
-    const double late = late_height(p, i, from);
-    return isfinite(late) && bead_log(reach) + late > bead_log(p->peaks[i].value);
+    return excess(p, i) < reach;
 }
 
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,

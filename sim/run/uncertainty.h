@@ -17,8 +17,9 @@
  * motion is no longer linear.)
  *
  * After the first peak that is lost in this way, the horizon, the motion of any run is one of many that are equally likely. A later
- * maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look only for maxima after
- * the horizon and the peak: how high they are, and how much two such motions differ.
+ * maximum of the true motion may then overtake an earlier one that is known well. Both other runs note how high forces are in each
+ * part of the run (heights.h), and so how high they are after the horizon and the peak, and how much two such motions differ, at
+ * the peak's contact or bead and its neighbours. If there is no finer run, another coarse one takes its place.
  *
  * A maximum is also compared with the same one of the other run, not only with its highest, which may be a different one: the runs
  * may differ by a per cent in each of two bumps, one the higher in the first run, the other in the second, both equally high by
@@ -45,7 +46,7 @@
 /* Tolerance of the finer run in units of the run's: q. */
 #define BEAD_UNCERTAINTY_FINER 0.01
 
-/* The runs that are compared, with two more after the horizon. */
+/* Two other runs show how high later maxima are. */
 enum { BEAD_UNCERTAINTY_LATE = 2 };
 struct bead_uncertainty_of {
     double accuracy; /* a; 0: the step was given */
@@ -62,10 +63,10 @@ struct bead_maxima {
 /* The peaks of contacts, or of beads, in order. */
 struct bead_uncertain_peaks {
     const struct bead_peak *peaks, *second;
-    struct bead_maxima coarse, fine;                     /* of the other runs */
-    const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after bead_uncertainty_after; NULL: none */
-    size_t count;                                        /* 0: unknown */
-    double *uncertainty, *time_uncertainty;              /* N, s: out */
+    struct bead_maxima coarse, fine;           /* of the other runs */
+    const double *late[BEAD_UNCERTAINTY_LATE]; /* N: heights of other runs after bead_uncertainty_after, 0: none; NULL: no run */
+    size_t count;                              /* 0: unknown */
+    double *uncertainty, *time_uncertainty;    /* N, s: out */
 };
 
 /* True if more than a few peaks of a chain's contacts [0] and beads [1] respond so strongly to the coarser run that a finer one is
@@ -77,9 +78,9 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */
 double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
-/* The factor, 1 or more, by which maxima after the horizon `from` may exceed the late runs': hardly any peak higher than that is
- * overtaken. */
-double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
+/* The reach of later maxima, in standard deviations of their logarithms: hardly any peak that exceeds the other runs' late heights
+ * by more is overtaken. */
+double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2]);
 /* True if peak i is not predictable: it comes after the horizon and is less accurate than asked, or a maximum after both it and the
  * horizon may be higher. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,

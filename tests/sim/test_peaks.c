@@ -14,11 +14,11 @@ struct sampled {
     double rest;          /* N */
 };
 
-/* `after`: maxima before this time do not count. Before the front, rounding has its own maxima. */
-static void take(struct sampled *s, double force, double time, double spacing, double after)
+/* Before the front, rounding has its own maxima. */
+static void take(struct sampled *s, double force, double time, double spacing)
 {
     const double middle = s->last[1];
-    if (middle > s->last[0] && middle >= force && middle > s->rest + 1e-9 && time - spacing > after) {
+    if (middle > s->last[0] && middle >= force && middle > s->rest + 1e-9) {
         if (middle > s->best) {
             s->rival = s->best_time > 0 ? s->best : s->rival;
             s->second = s->best_time > 0 ? s->best : s->second;
@@ -29,7 +29,7 @@ static void take(struct sampled *s, double force, double time, double spacing, d
             s->second = fmax(s->second, middle);
         }
     }
-    if (force > s->largest && time > after) {
+    if (force > s->largest) {
         s->largest = force;
         s->time = time;
     }
@@ -43,8 +43,7 @@ struct all_sampled {
 };
 
 /* Runs to the end, with samples from `from` to `until` s. */
-static void watch(struct bead_run *run, const struct bead_chain *chain, double from, double until, const double *after[2],
-                  struct all_sampled *all)
+static void watch(struct bead_run *run, const struct bead_chain *chain, double from, double until, struct all_sampled *all)
 {
     const size_t beads = bead_chain_beads(chain), contacts = bead_chain_contacts(chain);
     struct bead_message msg = {""};
@@ -60,9 +59,9 @@ static void watch(struct bead_run *run, const struct bead_chain *chain, double f
             if (t < from)
                 continue;
             for (size_t k = 0; k < contacts; k++)
-                take(&all->contact[k], sample.field[BEAD_FIELD_CONTACT_FORCE][k], t, h, after[0] ? after[0][k] : -1);
+                take(&all->contact[k], sample.field[BEAD_FIELD_CONTACT_FORCE][k], t, h);
             for (size_t j = 0; j < beads; j++)
-                take(&all->bead[j], sample.field[BEAD_FIELD_FORCE][j], t, h, after[1] ? after[1][j] : -1);
+                take(&all->bead[j], sample.field[BEAD_FIELD_FORCE][j], t, h);
         }
     }
 }
@@ -124,7 +123,7 @@ static void no_sample_is_larger(void **state)
         static struct all_sampled all;
         struct bead_outcome outcome;
         begin(&all, built.chain);
-        watch(run, built.chain, 0, ends[c], (const double *[2]){NULL, NULL}, &all);
+        watch(run, built.chain, 0, ends[c], &all);
         bead_run_finish(run, ends[c], &outcome);
         for (size_t k = 0; k < bead_chain_contacts(built.chain); k++) {
             assert_peak(&outcome.contact_peaks[k], &all.contact[k], all.spacing, "contact", k);
@@ -152,57 +151,46 @@ static bool is_second(const struct sampled *s, const struct bead_peak *second)
     return found > 0;
 }
 
-/* The peak after a time of each contact's and bead's own, the last other maximum of half its height, and the second highest. */
-static void later_peaks_and_rivals(void **state)
+/* The peak of each contact and bead, the last other maximum of half its height, and the second highest. */
+static void peaks_and_rivals(void **state)
 {
     (void)state;
     static const double end = 0.9e-3;
     size_t seconds = 0;
     for (size_t c = 0; c < CHAINS; c++) {
-        for (int later = 0; later < 2; later++) {
-            struct built built = build(chains[c], "until: 1 ms");
-            double after[2][MOST_BEADS];
-            for (size_t k = 0; k < MOST_BEADS; k++) {
-                after[0][k] = 0.15e-3 + 1.1e-5 * (double)(k % 5);
-                after[1][k] = 0.2e-3 - 0.7e-5 * (double)(k % 7);
+        struct built built = build(chains[c], "until: 1 ms");
+        struct bead_run *run = start_run(
+            &built,
+            (struct bead_run_settings){.end = end, .contact_peaks = true, .bead_peaks = true, .rivals = true, .peaks_apart = 1e-9});
+        static struct all_sampled all;
+        struct bead_outcome outcome;
+        begin(&all, built.chain);
+        watch(run, built.chain, 0, end, &all);
+        bead_run_finish(run, end, &outcome);
+        for (int of_beads = 0; of_beads < 2; of_beads++) {
+            const struct bead_peak *peaks = of_beads ? outcome.bead_peaks : outcome.contact_peaks;
+            const struct bead_peak *rivals = bead_run_rivals(run, of_beads);
+            const size_t count = of_beads ? bead_chain_beads(built.chain) : bead_chain_contacts(built.chain);
+            const struct bead_peak *second = bead_run_second_peaks(run, of_beads);
+            size_t rivalled = 0;
+            for (size_t i = 0; i < count; i++) {
+                const struct sampled *s = of_beads ? &all.bead[i] : &all.contact[i];
+                if (peaks[i].open)
+                    continue;
+                if (!(fabs(peaks[i].value - s->best) <= between * s->best))
+                    fail_msg("chain %zu, %d: peak %zu is %.9g N at %g s, not %.9g", c, of_beads, i, peaks[i].value, peaks[i].time,
+                             s->best);
+                const double wanted = isnan(s->rival) ? 0 : s->rival, rival = rivals[i].time > 0 ? rivals[i].value : 0;
+                if (!(fabs(rival - wanted) <= between * s->best))
+                    fail_msg("chain %zu, %d: the rival of %zu is %.9g N at %g s, not %.9g", c, of_beads, i, rival, rivals[i].time,
+                             wanted);
+                rivalled += wanted > 0;
+                seconds += is_second(s, &second[i]);
             }
-            const double *from[2] = {later ? after[0] : NULL, later ? after[1] : NULL};
-            struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = end,
-                                                                                .contact_peaks = true,
-                                                                                .bead_peaks = true,
-                                                                                .rivals = true,
-                                                                                .peaks_apart = 1e-9,
-                                                                                .peaks_after = {from[0], from[1]}});
-            static struct all_sampled all;
-            struct bead_outcome outcome;
-            begin(&all, built.chain);
-            watch(run, built.chain, 0, end, from, &all);
-            bead_run_finish(run, end, &outcome);
-            for (int of_beads = 0; of_beads < 2; of_beads++) {
-                const struct bead_peak *peaks = of_beads ? outcome.bead_peaks : outcome.contact_peaks;
-                const struct bead_peak *rivals = bead_run_rivals(run, of_beads);
-                const size_t count = of_beads ? bead_chain_beads(built.chain) : bead_chain_contacts(built.chain);
-                const struct bead_peak *second = bead_run_second_peaks(run, of_beads);
-                size_t rivalled = 0;
-                for (size_t i = 0; i < count; i++) {
-                    const struct sampled *s = of_beads ? &all.bead[i] : &all.contact[i];
-                    if (peaks[i].open)
-                        continue;
-                    if (!(fabs(peaks[i].value - s->best) <= between * s->best))
-                        fail_msg("chain %zu, %d: peak %zu is %.9g N at %g s, not %.9g", c, of_beads, i, peaks[i].value,
-                                 peaks[i].time, s->best);
-                    const double wanted = isnan(s->rival) ? 0 : s->rival, rival = rivals[i].time > 0 ? rivals[i].value : 0;
-                    if (!(fabs(rival - wanted) <= between * s->best))
-                        fail_msg("chain %zu, %d: the rival of %zu is %.9g N at %g s, not %.9g", c, of_beads, i, rival,
-                                 rivals[i].time, wanted);
-                    rivalled += wanted > 0;
-                    seconds += is_second(s, &second[i]);
-                }
-                assert_true(rivalled > 0);
-            }
-            bead_run_destroy(run);
-            release(&built);
+            assert_true(rivalled > 0);
         }
+        bead_run_destroy(run);
+        release(&built);
     }
     assert_true(seconds > 0);
 }
@@ -245,7 +233,7 @@ static void spans_are_part_of_the_whole(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(no_sample_is_larger), cmocka_unit_test(later_peaks_and_rivals),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(no_sample_is_larger), cmocka_unit_test(peaks_and_rivals),
                                        cmocka_unit_test(spans_are_part_of_the_whole)};
     return cmocka_run_group_tests_name("peaks", tests, NULL, NULL);
 }
