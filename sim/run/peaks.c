@@ -257,6 +257,12 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
         keep(p, index, (struct bead_peak){.value = value, .time = s->t0});
 }
 
+/* Is the peak so far that of a contact which closed with damping as the step began? The pulse may be higher than its first jump. */
+static bool has_jumped(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    return bead_stepper_damped(s) && p->best[index].time == s->t0;
+}
+
 /* Finds the maxima of a curve within the step: of a bead, whose force is the sum of two contacts, there may be more than one. Keeps
  * them, or returns true at the first one that is higher than the peak. */
 static bool find_maxima(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_force_curve *curve,
@@ -455,7 +461,7 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
         find_peak(p, s, (size_t)(mark - p->mark), limit);
     for (size_t i = p->first; limit <= s->t1 && i < n; i++) {
         find_open(p, s, i, limit);
-        p->late[i] = p->best[i].open;
+        p->late[i] = p->best[i].open || has_jumped(p, s, i);
     }
     if (limit < over) {
         follow_late(p, s, n, over);

@@ -169,6 +169,37 @@ static void the_front_counts_the_impact(void **state)
     assert_near(arrival[1] / arrival[2], 1, asked[1]);
 }
 
+/* The force of a Hertzian contact jumps at the impact, falls at first, and is highest later: the run does not end with the jump, at
+ * which the front arrives. The peak is that of a run to a given end. */
+static void the_impact_is_not_the_peak_of_the_last_contact(void **state)
+{
+    (void)state;
+    static const char text[] =
+        BALLS "chain: {striker: {bead: ball, velocity: 1}, beads: [{bead: ball}], damping: {coefficient: 20, "
+              "exponent: 1}}\n";
+    double peak[2];
+    for (int i = 0; i < 2; i++) {
+        const double end = i == 0 ? INFINITY : 6e-5;
+        struct built built = build(text, "until: 60 us, accuracy: 1e-7");
+        struct bead_run *run = start_run(
+            &built, (struct bead_run_settings){
+                        .end = end, .passage = i == 0 ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE, .contact_peaks = true});
+        struct bead_message msg = {""};
+        struct bead_outcome outcome;
+        while (i == 0 ? isnan(bead_run_over(run)) : bead_run_time(run) < end) {
+            if (bead_run_step(run, &msg))
+                fail_msg("%s", msg.text);
+        }
+        bead_run_finish(run, i == 0 ? bead_run_over(run) : end, &outcome);
+        peak[i] = outcome.contact_peaks[0].value;
+        assert_true(outcome.contact_peaks[0].time > 1e-5 && !outcome.contact_peaks[0].exceeded && !outcome.contact_peaks[0].open);
+        bead_run_destroy(run);
+        release(&built);
+    }
+    assert_near(peak[0] / peak[1], 1, 2e-7);
+    assert_true(peak[0] > 2 * 20);
+}
+
 enum { CONTACTS = 7, ACCURACIES = 4 };
 
 /* Peaks of a chain of 8 beads until 1 ms, requested like these; the first of them counts as exact. */
@@ -441,6 +472,7 @@ int main(void)
         cmocka_unit_test(a_contact_closes_within_a_step),
         cmocka_unit_test(contacts_close_one_after_the_other),
         cmocka_unit_test(the_front_counts_the_impact),
+        cmocka_unit_test(the_impact_is_not_the_peak_of_the_last_contact),
         cmocka_unit_test(strong_damping_is_as_accurate_as_asked),
         cmocka_unit_test(steep_damping_is_as_accurate_as_asked),
         cmocka_unit_test(steep_damping_takes_few_steps),
