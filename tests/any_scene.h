@@ -113,17 +113,15 @@ enum any_key {
     PARTS = 256,
     SEGMENT = 512
 };
-/* A scene has peaks of contacts or of beads: whether one of these is predictable depends on whether earlier ones of both are.
- * Digits of sensitivities that are not known depend on which others are found on the same way back. */
-enum { PEAKS = 3, BEAD_PEAKS };
+/* Digits of sensitivities that are not known depend on which others are found on the same way back. */
 static const struct {
     const char *show;
     unsigned keys;
 } any_shows[] = {{"sensors", EVERY | TIME | BEADS | FIELD},
                  {"sensors", EVERY | TIME | CONTACTS},
                  {"sensors", EVERY},
-                 [PEAKS] = {"peaks", CONTACTS | OF_RUN},
-                 [BEAD_PEAKS] = {"bead-peaks", BEADS | OF_RUN},
+                 {"peaks", CONTACTS | OF_RUN},
+                 {"bead-peaks", BEADS | OF_RUN},
                  {"measures", EVERY},
                  {"profiles", AT | FIELD},
                  {"chain", 0},
@@ -150,8 +148,7 @@ static inline void any_time(struct drawing *d, size_t by, size_t *from, size_t *
 static inline void any_output(struct any_scene *scene, struct drawing *d, size_t o)
 {
     static const char *const fields[] = {"force", "velocity", "displacement", "energy"};
-    const size_t drawn = draw_below(d, sizeof any_shows / sizeof *any_shows),
-                 n = drawn == PEAKS || drawn == BEAD_PEAKS ? PEAKS + d->seed % 2 : drawn;
+    const size_t n = draw_below(d, sizeof any_shows / sizeof *any_shows);
     const unsigned keys = any_shows[n].keys;
     const size_t by = 1 + draw_below(d, 3);
     char *text = scene->output[o], *const end = text + sizeof scene->output[o];

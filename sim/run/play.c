@@ -96,7 +96,7 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_played
                                          .hash = p->hash,
                                          .tolerance_factor = p->refinement};
     for (size_t i = 0; i < p->consumer_count; i++) {
-        settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
+        settings.contact_peaks |= bead_compare_contacts(p, &p->consumers[i].needs) || p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
         settings.rivals |= p->consumers[i].needs.deviation;
         settings.budget |= p->consumers[i].needs.budget;

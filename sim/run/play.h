@@ -142,6 +142,8 @@ void bead_due_pass(const struct bead_play *play, const struct bead_due *due);
 
 /* True if a consumer wants the uncertainties of peaks. */
 bool bead_compare_peaks(const struct bead_play *play);
+/* True if one with these needs takes peaks of contacts, perhaps only to know since when its peaks are not predictable. */
+bool bead_compare_contacts(const struct bead_play *play, const struct bead_needs *needs);
 /* The least time between two different maxima of a chain, s: half its shortest period. 0: no consumer wants the uncertainties of
  * peaks. */
 double bead_compare_apart(const struct bead_play *play, size_t chain);

@@ -30,6 +30,11 @@ static bool compares_samples(const struct bead_play *p)
     return any;
 }
 
+bool bead_compare_contacts(const struct bead_play *p, const struct bead_needs *needs)
+{
+    return needs->uncertainty && (needs->contact_peaks || needs->bead_peaks) && p->chains[0]->spec->system->has_contacts;
+}
+
 bool bead_compare_peaks(const struct bead_play *p)
 {
     bool any = false;
@@ -42,6 +47,14 @@ double bead_compare_apart(const struct bead_play *p, size_t chain)
 {
     const struct bead_chain *c = p->chains[chain];
     return bead_compare_peaks(p) ? pi / bead_chain_omega(c, bead_chain_energy(c)) : 0;
+}
+
+static bool wants_contacts(const struct bead_play *p)
+{
+    bool any = false;
+    for (size_t i = 0; i < p->consumer_count; i++)
+        any = any || p->consumers[i].needs.contact_peaks;
+    return any;
 }
 
 static bool forces_jump(const struct bead_play *p)
@@ -71,7 +84,7 @@ static struct bead_run_settings settings_of(const struct bead_play *p, double to
                                          .tolerance_factor = tolerance_factor};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;
-        settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
+        settings.contact_peaks |= bead_compare_contacts(p, needs);
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
     return settings;
@@ -127,53 +140,51 @@ enum bead_error bead_compare_create(const struct bead_play *p, struct bead_playe
 /* If a contact and a bead beside it have equal uncertainties, except for rounding, the contact counts. */
 static const double clearly = 1 + 1e-9;
 
+/* The peaks of a chain's contacts, or beads, in its runs, side by side. */
+struct compared {
+    struct bead_uncertainty_of of;
+    struct bead_uncertain_peaks peaks;
+    bool of_beads;
+};
+
 /* Notes the peak with the largest relative uncertainty. Forces still rising at the end of the run are not peaks. */
-static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_outcome *outcome)
+static void note_worst(const struct compared *compared, struct bead_outcome *outcome)
 {
-    double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++) {
-            const double force = kinds[kind].peaks[i].value, u = kinds[kind].uncertainty[i];
-            if (!(u > 0) || kinds[kind].peaks[i].open || u * outcome->worst_force <= clearly * outcome->worst_uncertainty * force)
-                continue;
-            *which[0] = *which[1] = NAN;
-            *which[kind] = (double)i;
-            outcome->worst_force = force;
-            outcome->worst_uncertainty = u;
-        }
+    const struct bead_uncertain_peaks *p = &compared->peaks;
+    for (size_t i = 0; i < p->count; i++) {
+        const double force = p->peaks[i].value, u = p->uncertainty[i];
+        if (!(u > 0) || p->peaks[i].open || u * outcome->worst_force <= clearly * outcome->worst_uncertainty * force)
+            continue;
+        outcome->worst_contact = compared->of_beads ? NAN : (double)i;
+        outcome->worst_bead = compared->of_beads ? (double)i : NAN;
+        outcome->worst_force = force;
+        outcome->worst_uncertainty = u;
     }
 }
 
-/* The peaks of a chain's runs, side by side. */
-struct compared {
-    struct bead_uncertainty_of of;
-    struct bead_uncertain_peaks kinds[2];
-};
-
 /* Adds the peaks of another run, which reached the end of the chain's run or ended before. */
-static void add_run(const struct bead_runner *other, bool is_fine, struct bead_outcome *outcome, struct compared *compared)
+static void add_run(const struct bead_runner *other, bool is_fine, const struct bead_outcome *outcome, struct compared *compared)
 {
     struct bead_outcome found;
     const double over = other->kind->over(other->run);
     other->kind->finish(other->run, outcome->end, &found);
-    const struct bead_peak *peaks[2] = {found.contact_peaks, found.bead_peaks};
-    for (size_t kind = 0; kind < 2; kind++) {
-        struct bead_uncertain_peaks *k = &compared->kinds[kind];
-        *(is_fine ? &k->fine : &k->coarse) = (struct bead_maxima){peaks[kind], bead_run_second_peaks(other->run, kind > 0)};
-    }
+    *(is_fine ? &compared->peaks.fine : &compared->peaks.coarse) = (struct bead_maxima){
+        compared->of_beads ? found.bead_peaks : found.contact_peaks, bead_run_second_peaks(other->run, compared->of_beads)};
     if (!is_fine && outcome->energy_error > 0)
         compared->of.factor = fmax(fmin(compared->of.factor, found.energy_error / outcome->energy_error), least_factor);
     if (!isnan(over))
         compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
 }
 
-/* Runs a chain again, as far as its run went, and looks for peaks. */
+/* Runs a chain again, if it has not been, as far as its run went, and looks for peaks. */
 static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double apart,
                                  struct bead_runner *again, struct bead_message *msg)
 {
     struct bead_run_settings settings = settings_of(p, tolerance_factor);
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
+    if (again->run)
+        return BEAD_OK;
     settings.chain = run->chain;
     settings.peaks_apart = apart;
     settings.heights = true;
@@ -187,43 +198,30 @@ static enum bead_error run_again(const struct bead_play *p, const struct bead_ru
     return BEAD_OK;
 }
 
-/* The heights of another run after the horizon and the peaks, [contacts], then [beads]. */
-static void look_late(const struct bead_run *run, double from, size_t r, double *heights, struct compared *compared)
+/* The heights of another run after the horizon and the peaks. */
+static void look_late(const struct bead_run *run, double from, const struct compared *compared, double *heights)
 {
-    for (size_t kind = 0; kind < 2; kind++) {
-        struct bead_uncertain_peaks *k = &compared->kinds[kind];
-        for (size_t i = 0; i < k->count; i++)
-            heights[i] = bead_heights_after(bead_run_heights(run), kind > 0, i, bead_uncertainty_after(&compared->of, k, i, from),
-                                            k->peaks[i].time + compared->of.apart);
-        k->late[r] = heights;
-        heights += k->count;
-    }
+    const struct bead_uncertain_peaks *p = &compared->peaks;
+    for (size_t i = 0; i < p->count; i++)
+        heights[i] = bead_heights_after(bead_run_heights(run), compared->of_beads, i,
+                                        bead_uncertainty_after(&compared->of, p, i, from), p->peaks[i].time + compared->of.apart);
 }
 
 /* Stores the uncertainties of the peaks, and marks the unpredictable ones. */
-static enum bead_error keep(const struct compared *compared, double from, struct bead_played *played, size_t chain,
+static enum bead_error keep(const struct compared *compared, double from, struct bead_peak **judged, struct bead_outcome *outcome,
                             struct bead_message *msg)
 {
-    struct bead_outcome *outcome = &played->outcomes[chain];
-    const struct bead_peak **const peaks[2] = {&outcome->contact_peaks, &outcome->bead_peaks};
-    const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty},
-                         **const time[2] = {&outcome->contact_time_uncertainty, &outcome->bead_time_uncertainty};
-    const double reach = bead_uncertainty_reach(compared->kinds);
-    outcome->predictable_until = from;
-    note_worst(compared->kinds, outcome);
-    for (size_t kind = 0; kind < 2; kind++) {
-        const struct bead_uncertain_peaks *k = &compared->kinds[kind];
-        struct bead_peak **judged = &played->judged[2 * chain + kind];
-        if (k->count == 0)
-            continue;
-        BEAD_TRY(bead_new(judged, k->count, msg, "the peaks of %zu beads", k->count));
-        memcpy(*judged, k->peaks, k->count * sizeof **judged);
-        for (size_t i = 0; i < k->count; i++)
-            (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, k, i, from, reach);
-        *peaks[kind] = *judged;
-        *uncertainty[kind] = k->uncertainty;
-        *time[kind] = k->time_uncertainty;
-    }
+    const struct bead_uncertain_peaks *p = &compared->peaks;
+    const double reach = bead_uncertainty_reach(p);
+    outcome->predictable_until = outcome->predictable_until > 0 ? fmin(outcome->predictable_until, from) : from;
+    note_worst(compared, outcome);
+    BEAD_TRY(bead_new(judged, p->count, msg, "%zu peaks", p->count));
+    memcpy(*judged, p->peaks, p->count * sizeof **judged);
+    for (size_t i = 0; i < p->count; i++)
+        (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, p, i, from, reach);
+    *(compared->of_beads ? &outcome->bead_peaks : &outcome->contact_peaks) = *judged;
+    *(compared->of_beads ? &outcome->bead_uncertainty : &outcome->contact_uncertainty) = p->uncertainty;
+    *(compared->of_beads ? &outcome->bead_time_uncertainty : &outcome->contact_time_uncertainty) = p->time_uncertainty;
     return BEAD_OK;
 }
 
@@ -233,49 +231,97 @@ struct comparing {
     double factor; /* of the comparison runs */
 };
 
-/* Finds the uncertainties of a chain's peaks. */
+/* The other runs of a chain that some peaks need: a finer one, and a coarse one that shows what comes after the horizon. */
+struct others {
+    struct bead_runner fine, late;
+};
+
+static double refinement_of(const struct bead_play *p)
+{
+    return p->refinement > 0 ? p->refinement : 1;
+}
+
+/* The peaks of a chain's contacts, or beads, in its run. */
+static struct compared compared_of(const struct comparing *c, size_t chain, bool of_beads)
+{
+    const struct bead_play *p = c->play;
+    const struct bead_chain *of = p->chains[chain];
+    const struct bead_outcome *outcome = &c->played->outcomes[chain];
+    return (struct compared){
+        .of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement_of(p),
+               .factor = bead_run_effective_factor(of, p->simulate, c->factor) / refinement_of(p),
+               .apart = bead_compare_apart(p, chain)},
+        .peaks = {.peaks = of_beads ? outcome->bead_peaks : outcome->contact_peaks,
+                  .second = bead_run_second_peaks(c->played->runs[chain].run, of_beads),
+                  .count = of_beads ? bead_chain_beads(of) : bead_chain_contacts(of)},
+        .of_beads = of_beads,
+    };
+}
+
+/* Finds the heights of both other runs after the horizon, [2][peaks]: those of a coarse one, if no finer one was needed. */
+static enum bead_error find_heights(const struct comparing *c, size_t chain, double from, struct compared *compared,
+                                    struct others *others, double **heights, struct bead_message *msg)
+{
+    struct bead_uncertain_peaks *peaks = &compared->peaks;
+    const bool is_fine = peaks->coarse.highest && peaks->fine.highest;
+    struct bead_runner *other = is_fine ? &others->fine : &others->late;
+    if (!is_fine)
+        BEAD_TRY(run_again(c->play, &c->played->runs[chain], c->factor / 2, compared->of.apart, other, msg));
+    BEAD_TRY(bead_new(heights, 2 * peaks->count, msg, "%zu peaks", peaks->count));
+    const struct bead_runner *runs[BEAD_UNCERTAINTY_LATE] = {&c->played->comparison_runs[chain], other};
+    for (size_t r = 0; r < BEAD_UNCERTAINTY_LATE; r++) {
+        double *late = *heights + r * peaks->count;
+        look_late(runs[r]->run, from, compared, late);
+        peaks->late[r] = late;
+    }
+    return BEAD_OK;
+}
+
+/* Finds the uncertainties of the peaks of a chain's contacts, or beads, if they were asked for, and the horizon if it comes before
+ * `from`. */
+static enum bead_error compare_kind(const struct comparing *c, size_t chain, bool of_beads, struct others *others, double *from,
+                                    struct bead_message *msg)
+{
+    struct compared compared = compared_of(c, chain, of_beads);
+    struct bead_uncertain_peaks *peaks = &compared.peaks;
+    struct bead_outcome *outcome = &c->played->outcomes[chain];
+    const bool is_fine = compared.of.accuracy > 0 && compared.of.factor < 1;
+    const size_t own = 2 * chain + of_beads;
+    BEAD_FREED double *heights = NULL;
+    add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
+    if (!(is_fine ? &peaks->fine : &peaks->coarse)->highest)
+        return BEAD_OK;
+    BEAD_TRY(bead_new(&c->played->uncertainty[own], 2 * peaks->count, msg, "%zu peaks", peaks->count));
+    peaks->uncertainty = c->played->uncertainty[own];
+    peaks->time_uncertainty = peaks->uncertainty + peaks->count;
+    if (!is_fine && (others->fine.run || bead_uncertainty_wants_fine(&compared.of, peaks))) {
+        BEAD_TRY(run_again(c->play, &c->played->runs[chain], BEAD_UNCERTAINTY_FINER * refinement_of(c->play), compared.of.apart,
+                           &others->fine, msg));
+        add_run(&others->fine, true, outcome, &compared);
+    }
+    *from = fmin(*from, bead_uncertainty_find(&compared.of, peaks));
+    if (!of_beads && !wants_contacts(c->play)) {
+        outcome->contact_peaks = NULL;
+        return BEAD_OK;
+    }
+    if (*from < outcome->end)
+        BEAD_TRY(find_heights(c, chain, *from, &compared, others, &heights, msg));
+    return keep(&compared, *from, &c->played->judged[own], outcome, msg);
+}
+
+/* Finds the uncertainties of a chain's peaks: of contacts as if those of beads had not been asked for; of beads with the horizon of
+ * contacts, whether or not these were asked for. So no output depends on another one. */
 static enum bead_error compare_peaks(void *context, size_t chain, bool, struct bead_message *msg)
 {
     const struct comparing *c = context;
-    const struct bead_play *p = c->play;
-    struct bead_outcome *outcome = &c->played->outcomes[chain];
-    const size_t count[2] = {bead_chain_contacts(p->chains[chain]), bead_chain_beads(p->chains[chain])};
-    double **u = c->played->uncertainty + 2 * chain;
-    const struct bead_runner *run = &c->played->runs[chain];
-    for (size_t kind = 0; kind < 2; kind++)
-        BEAD_TRY(bead_new(&u[kind], 2 * count[kind], msg, "the peaks of %zu beads", count[1]));
-    const double refinement = p->refinement > 0 ? p->refinement : 1;
-    struct compared compared = {.of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
-                                       .factor = bead_run_effective_factor(p->chains[chain], p->simulate, c->factor) / refinement,
-                                       .apart = bead_compare_apart(p, chain)},
-                                .kinds = {{.peaks = outcome->contact_peaks,
-                                           .second = bead_run_second_peaks(run->run, false),
-                                           .uncertainty = u[0],
-                                           .time_uncertainty = u[0] + count[0]},
-                                          {.peaks = outcome->bead_peaks,
-                                           .second = bead_run_second_peaks(run->run, true),
-                                           .uncertainty = u[1],
-                                           .time_uncertainty = u[1] + count[1]}}};
-    const bool is_fine = compared.of.accuracy > 0 && compared.of.factor < 1;
-    add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
-    for (size_t kind = 0; kind < 2; kind++)
-        compared.kinds[kind].count =
-            (is_fine ? &compared.kinds[kind].fine : &compared.kinds[kind].coarse)->highest ? count[kind] : 0;
-    BEAD_LEFT_TO(bead_runner_destroy) struct bead_runner other = {NULL, NULL, NULL};
-    BEAD_FREED double *late = NULL;
-    if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
-        BEAD_TRY(run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, compared.of.apart, &other, msg));
-        add_run(&other, true, outcome, &compared);
-    }
-    const double from = bead_uncertainty_find(&compared.of, compared.kinds);
-    if (from < outcome->end) {
-        if (!other.run)
-            BEAD_TRY(run_again(p, run, c->factor / 2, compared.of.apart, &other, msg));
-        BEAD_TRY(bead_new(&late, 4 * count[1], msg, "the peaks of %zu beads", count[1]));
-        look_late(c->played->comparison_runs[chain].run, from, 0, late, &compared);
-        look_late(other.run, from, 1, late + 2 * count[1], &compared);
-    }
-    return keep(&compared, from, c->played, chain, msg);
+    struct others others = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    double from = INFINITY;
+    enum bead_error err = BEAD_OK;
+    for (int of_beads = 0; of_beads < 2 && !err; of_beads++)
+        err = compare_kind(c, chain, of_beads, &others, &from, msg);
+    bead_runner_destroy(&others.fine);
+    bead_runner_destroy(&others.late);
+    return err;
 }
 
 enum bead_error bead_compare_finish(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)

@@ -23,7 +23,7 @@ enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable: a choice; .03 and .3 were tried as well. */
 static const double lost = 0.1;
 /* How many of a chain's peaks called predictable may later be overtaken, on average, if logarithms of late maxima are normal
- * deviates. That is assumed, not measured: a longer tail would overtake more often. */
+ * deviates whose scatter is known from a sample. That is assumed: a longer tail would overtake more often. */
 static const double overtaken = 1e-3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
@@ -116,15 +116,12 @@ static struct doubt answer(const struct bead_uncertainty_of *of, const struct be
     return p->coarse.highest ? doubt_by(of, p, &p->coarse, i, safety / (of->factor - 1)) : (struct doubt){0, p->peaks[i].time, 0};
 }
 
-bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p)
 {
-    size_t strong = 0, all = 0;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++)
-            strong += answer(of, &kinds[kind], i).part > of->accuracy;
-        all += kinds[kind].count;
-    }
-    return of->accuracy > 0 && (all < SHORT || (double)strong > few * (double)all);
+    size_t strong = 0;
+    for (size_t i = 0; i < p->count; i++)
+        strong += answer(of, p, i).part > of->accuracy;
+    return of->accuracy > 0 && p->count > 0 && (p->count < SHORT || (double)strong > few * (double)p->count);
 }
 
 /* The differences of a peak from both other runs. */
@@ -144,18 +141,16 @@ static bool find_differences(const struct bead_uncertainty_of *of, const struct 
 
 /* The usual ratio of the measured error to the answer, the geometric mean over the peaks that respond strongly and differ by
  * `least` or more. At most factor - 1, as the coarser run is not the better one. 0: there are none. */
-static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
+static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double least)
 {
     double sum = 0;
     size_t count = 0;
     struct differences d;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++) {
-            if (!find_differences(of, &kinds[kind], i, &d) || d.fine < least)
-                continue;
-            sum += bead_log(d.fine / d.answer);
-            count++;
-        }
+    for (size_t i = 0; i < p->count; i++) {
+        if (!find_differences(of, p, i, &d) || d.fine < least)
+            continue;
+        sum += bead_log(d.fine / d.answer);
+        count++;
     }
     return count > 0 ? fmin(bead_exp(sum / (double)count), of->factor - 1) : 0;
 }
@@ -169,37 +164,33 @@ static double safety_for(const struct bead_uncertainty_of *of, double ratio)
 }
 
 /* The largest difference from the finer run among peaks that are not lost. */
-static double largest_difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+static double largest_difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p)
 {
     double largest = 0;
     struct differences d;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++)
-            largest = find_differences(of, &kinds[kind], i, &d) ? fmax(largest, d.fine) : largest;
-    }
+    for (size_t i = 0; i < p->count; i++)
+        largest = find_differences(of, p, i, &d) ? fmax(largest, d.fine) : largest;
     return largest;
 }
 
 /* The time from which peaks differ by `least` or more; INFINITY: none does. */
-static double first_that_differs(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
+static double first_that_differs(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double least)
 {
     double first = INFINITY;
     struct differences d;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++) {
-            if (find_differences(of, &kinds[kind], i, &d) && d.fine >= least)
-                first = fmin(first, kinds[kind].peaks[i].time);
-        }
+    for (size_t i = 0; i < p->count; i++) {
+        if (find_differences(of, p, i, &d) && d.fine >= least)
+            first = fmin(first, p->peaks[i].time);
     }
     return first;
 }
 
 /* The time from which the motion that differs most is not known to a tenth, with the safety factor that its own differences
  * require; INFINITY: it is. Chaos of light beads may stop at a per cent of the force on heavy ones: then no run knows it better. */
-static double saturated_from(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+static double saturated_from(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p)
 {
-    const double largest = largest_difference(of, kinds), ratio = usual_ratio(of, kinds, lost * largest);
-    return ratio > 0 && safety_for(of, ratio) * largest > lost ? first_that_differs(of, kinds, lost * largest) : INFINITY;
+    const double largest = largest_difference(of, p), ratio = usual_ratio(of, p, lost * largest);
+    return ratio > 0 && safety_for(of, ratio) * largest > lost ? first_that_differs(of, p, lost * largest) : INFINITY;
 }
 
 /* The doubt about peak i, at least the accuracy asked for. */
@@ -228,20 +219,17 @@ static double rival_distance(const struct bead_uncertainty_of *of, const struct 
     return close ? fabs(run.most[1]->time - run.most[0]->time) : 0;
 }
 
-double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p)
 {
-    const double ratio = usual_ratio(of, kinds, 0), least = of->accuracy > 0 ? of->accuracy : rounding;
-    double from = saturated_from(of, kinds);
-    for (size_t kind = 0; kind < 2; kind++) {
-        const struct bead_uncertain_peaks *p = &kinds[kind];
-        for (size_t i = 0; i < p->count; i++) {
-            const struct doubt doubt = doubt_of(of, p, i, ratio);
-            p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
-            p->time_uncertainty[i] =
-                fmax(least * p->peaks[i].time, doubt.shift) + rival_distance(of, p, i, fmax(doubt.part, answer(of, p, i).part));
-            if (doubt.part > lost)
-                from = fmin(from, doubt.time);
-        }
+    const double ratio = usual_ratio(of, p, 0), least = of->accuracy > 0 ? of->accuracy : rounding;
+    double from = saturated_from(of, p);
+    for (size_t i = 0; i < p->count; i++) {
+        const struct doubt doubt = doubt_of(of, p, i, ratio);
+        p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
+        p->time_uncertainty[i] =
+            fmax(least * p->peaks[i].time, doubt.shift) + rival_distance(of, p, i, fmax(doubt.part, answer(of, p, i).part));
+        if (doubt.part > lost)
+            from = fmin(from, doubt.time);
     }
     return from;
 }
@@ -282,13 +270,15 @@ static bool add_scatter(const struct bead_uncertain_peaks *p, size_t i, double *
     return true;
 }
 
+/* Neighbours whose late heights tell how much those of a peak scatter; even. A choice; 16 and 64 were tried as well. */
+enum { ENOUGH = 32 };
+
 /* By how many standard deviations peak i exceeds the other runs' late heights; INFINITY: they have none. Logarithms of heights
  * after the horizon scatter with the variance s^2, which follows from their differences x between two runs: the mean of x^2 is 2
  * s^2. A third run differs from the mean of these two by 3/2 s^2. Parts of a chain may be chaotic, and others not: its neighbours
  * count. */
 static double excess(const struct bead_uncertain_peaks *p, size_t i)
 {
-    enum { ENOUGH = 16 }; /* empirical: 6 and 64 were tried as well; fewer are no sample, more are other parts */
     const double late = late_height(p, i);
     double sum = 0;
     if (!(p->peaks[i].value > 0) || !isfinite(late))
@@ -302,24 +292,33 @@ static double excess(const struct bead_uncertain_peaks *p, size_t i)
     return spread > 0 ? over / spread : over > 0 ? INFINITY : -INFINITY;
 }
 
-/* Normal deviates beyond this do not matter. */
-static const double furthest = 8;
+/* The probability of a deviate above t, whose standard deviation is that of a sample of ENOUGH: Student's distribution, M.
+ * Abramowitz and I. A. Stegun, Handbook of Mathematical Functions, 1964, 26.7.4. */
+static double student_tail(double t)
+{
+    const double c2 = ENOUGH / (ENOUGH + t * t);
+    double term = 1, sum = 1;
+    for (int k = 2; k <= ENOUGH - 2; k += 2)
+        sum += term *= c2 * (k - 1) / k;
+    return 0.5 * (1 - sqrt(1 - c2) * sum);
+}
+
+/* Deviates beyond this do not matter. */
+static const double furthest = 16;
 enum { BINS = 4096 };
 
-double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2])
+double bead_uncertainty_reach(const struct bead_uncertain_peaks *p)
 {
     uint32_t bins[BINS] = {0};
     size_t above = BINS;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++) {
-            const double own = excess(&kinds[kind], i);
-            if (own >= 0 && own < furthest)
-                bins[(size_t)(own * (BINS / furthest))]++;
-        }
+    for (size_t i = 0; i < p->count; i++) {
+        const double own = excess(p, i);
+        if (own >= 0 && own < furthest)
+            bins[(size_t)(own * (BINS / furthest))]++;
     }
     for (double sum = 0; above > 0; above--) {
         const uint32_t count = bins[above - 1];
-        sum += count > 0 ? count * bead_erfc((double)(above - 1) * (furthest / BINS) * sqrt(0.5)) / 2 : 0;
+        sum += count > 0 ? count * student_tail((double)(above - 1) * (furthest / BINS)) : 0;
         if (sum > overtaken)
             break;
     }

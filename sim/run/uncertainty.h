@@ -69,18 +69,18 @@ struct bead_uncertain_peaks {
     double *uncertainty, *time_uncertainty;    /* N, s: out */
 };
 
-/* True if more than a few peaks of a chain's contacts [0] and beads [1] respond so strongly to the coarser run that a finer one is
- * needed, or if there are so few that it costs nothing. */
-bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+/* True if more than a few peaks of a chain respond so strongly to the coarser run that a finer one is needed, or if there are so
+ * few that it costs nothing. */
+bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p);
 /* Sets the uncertainties, at least the accuracy asked for, as a part of force or time. Returns the time from which peaks are not
  * predictable, s, when the first one is not known to a tenth of itself; INFINITY: all are. */
-double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p);
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */
 double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
 /* The reach of later maxima, in standard deviations of their logarithms: hardly any peak that exceeds the other runs' late heights
  * by more is overtaken. */
-double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2]);
+double bead_uncertainty_reach(const struct bead_uncertain_peaks *p);
 /* True if peak i is not predictable: it comes after the horizon and is less accurate than asked, or a maximum after both it and the
  * horizon may be higher. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,

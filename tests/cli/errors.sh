@@ -35,6 +35,13 @@ done
 "$beadsim" "$top/tests/errors/taper.yaml" -o taper --quiet >quiet
 ok "taper" judge taper/p.csv "$top/tests/errors/taper.csv" 1e-4 1
 
+# A table of beads' peaks beside it does not change what it says, nor it what that says.
+beads="{table: b.csv, show: bead-peaks}"
+"$beadsim" "$top/tests/errors/taper.yaml" -o taper-beads --quiet --set "outputs=[$beads]" >quiet
+"$beadsim" "$top/tests/errors/taper.yaml" -o taper-both --quiet --set "outputs=[{table: p.csv}, $beads]" >quiet
+ok "peaks of contacts alone" cmp taper/p.csv taper-both/p.csv
+ok "peaks of beads alone" cmp taper-beads/b.csv taper-both/b.csv
+
 # Where two maxima are nearly as high, the other may be the higher one in truth: each is compared with itself.
 "$beadsim" "$top/tests/errors/rivals.yaml" -o rivals --quiet >quiet
 ok "rivals" judge rivals/p.csv "$top/tests/errors/rivals.csv" 1e-6 4
