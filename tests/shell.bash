@@ -88,9 +88,9 @@ find_browser() {
     browser=$(command -v chromium || command -v google-chrome) &&
         timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1
 }
-# await COMMAND... : until the command succeeds, at most a minute.
+# await COMMAND... : until the command succeeds, at most a minute, or $patience seconds.
 await() {
-    local until=$((SECONDS + 60))
+    local until=$((SECONDS + ${patience:-60}))
     until "$@" >/dev/null 2>&1; do
         [ $SECONDS -lt $until ] || { echo "waited in vain for: $*"; return 1; }
         sleep 0.02

@@ -49,11 +49,14 @@ double bead_compare_apart(const struct bead_play *p, size_t chain)
     return bead_compare_peaks(p) ? pi / bead_chain_omega(c, bead_chain_energy(c)) : 0;
 }
 
-static bool wants_contacts(const struct bead_play *p)
+/* Does a consumer want peaks of contacts, and with uncertainties? */
+static bool wants_contacts(const struct bead_play *p, bool uncertainty)
 {
     bool any = false;
-    for (size_t i = 0; i < p->consumer_count; i++)
-        any = any || p->consumers[i].needs.contact_peaks;
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        const struct bead_needs *needs = &p->consumers[i].needs;
+        any = any || (needs->contact_peaks && (needs->uncertainty || !uncertainty));
+    }
     return any;
 }
 
@@ -300,8 +303,8 @@ static enum bead_error compare_kind(const struct comparing *c, size_t chain, boo
         add_run(&others->fine, true, outcome, &compared);
     }
     *from = fmin(*from, bead_uncertainty_find(&compared.of, peaks));
-    if (!of_beads && !wants_contacts(c->play)) {
-        outcome->contact_peaks = NULL;
+    if (!of_beads && !wants_contacts(c->play, true)) {
+        outcome->contact_peaks = wants_contacts(c->play, false) ? outcome->contact_peaks : NULL;
         return BEAD_OK;
     }
     if (*from < outcome->end)

@@ -41,6 +41,8 @@ beads="{table: b.csv, show: bead-peaks}"
 "$beadsim" "$top/tests/errors/taper.yaml" -o taper-both --quiet --set "outputs=[{table: p.csv}, $beads]" >quiet
 ok "peaks of contacts alone" cmp taper/p.csv taper-both/p.csv
 ok "peaks of beads alone" cmp taper-beads/b.csv taper-both/b.csv
+"$beadsim" "$top/tests/errors/grazing.yaml" -o grazing-beads --set "outputs=[$beads]" >said 2>&1
+ok "... in the last line, too" grep -q 'least certain peak: bead' said
 
 # Where two maxima are nearly as high, the other may be the higher one in truth: each is compared with itself.
 "$beadsim" "$top/tests/errors/rivals.yaml" -o rivals --quiet >quiet
