@@ -107,6 +107,13 @@ static inline double bead_stepper_compression(const struct bead_stepper *stepper
     return stepper->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
 }
 
+/* Force of bead j in a state, N: the mean of its two contact forces, with their static part. */
+static inline double bead_stepper_bead_force(const struct bead_stepper *stepper, const struct bead_state *state, size_t j)
+{
+    const double *still = stepper->chain->static_force;
+    return 0.5 * ((j > 0 ? state->f[j - 1] + still[j - 1] : 0) + (j < stepper->chain->contacts ? state->f[j] + still[j] : 0));
+}
+
 /* The chain at the start: at rest except for the striker and whatever else the scene moves. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
                                                const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,

@@ -42,14 +42,13 @@ void bead_heights_destroy(struct bead_heights *heights)
 /* Joins parts in pairs. */
 static void lengthen(struct bead_heights *h)
 {
-    const size_t size = (h->of_beads ? 2 : 1) * h->beads;
-    for (size_t p = 0; p < BEAD_HEIGHT_PARTS; p++) {
+    const size_t size = (h->of_beads ? 2 : 1) * h->beads, half = BEAD_HEIGHT_PARTS / 2;
+    for (size_t p = 0; p < half; p++) {
         float *to = row(h, p, false), *from = row(h, 2 * p, false);
-        for (size_t i = 0; 2 * p < BEAD_HEIGHT_PARTS && i < size; i++)
+        for (size_t i = 0; i < size; i++)
             to[i] = from[i] > from[size + i] ? from[i] : from[size + i];
-        if (2 * p >= BEAD_HEIGHT_PARTS)
-            memset(to, 0, size * sizeof *to);
     }
+    memset(row(h, half, false), 0, half * size * sizeof *h->part);
     h->length *= 2;
 }
 
@@ -63,29 +62,23 @@ static void note_contacts(const struct bead_stepper *s, size_t n, float *restric
     }
 }
 
-/* Notes forces of beads first..n-1, the mean of both contacts'; `contacts` of them have one after them. */
-static void note_beads(const struct bead_stepper *s, size_t n, size_t contacts, float *height)
+/* Notes forces of beads first..n-1. */
+static void note_beads(const struct bead_stepper *s, size_t n, float *height)
 {
-    const double *f = s->end.f, *still = s->chain->static_force;
-    double before = s->first > 0 ? f[s->first - 1] + still[s->first - 1] : 0;
-    for (size_t j = s->first; j < n; j++) {
-        const double after = j < contacts ? f[j] + still[j] : 0;
-        height[j] = fmaxf(height[j], (float)(0.5 * (before + after)));
-        before = after;
-    }
+    for (size_t j = s->first; j < n; j++)
+        height[j] = fmaxf(height[j], (float)bead_stepper_bead_force(s, &s->end, j));
 }
 
 void bead_heights_step(struct bead_heights *h, const struct bead_stepper *s)
 {
-    const size_t contacts = bead_stepper_contacts(s);
     if (!(h->length > 0))
         h->length = s->h;
     while (s->t1 >= BEAD_HEIGHT_PARTS * h->length)
         lengthen(h);
     const size_t part = (size_t)(s->t1 / h->length);
-    note_contacts(s, contacts, row(h, part, false));
+    note_contacts(s, bead_stepper_contacts(s), row(h, part, false));
     if (h->of_beads)
-        note_beads(s, s->active < s->beads ? s->active : s->beads, contacts, row(h, part, true));
+        note_beads(s, s->active < s->beads ? s->active : s->beads, row(h, part, true));
 }
 
 double bead_heights_after(const struct bead_heights *h, bool of_bead, size_t index, double time, double not_before)

@@ -12,6 +12,7 @@
 #include "beadreel/error.h"
 #include "sim/integrate/stepper.h"
 
+/* Empirical: with 64 a seventh more of the rows of eight chains of stress_errors are unpredictable, with 256 3 % fewer. */
 enum { BEAD_HEIGHT_PARTS = 128 };
 
 struct bead_heights;

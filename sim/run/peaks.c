@@ -190,7 +190,7 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
 
 /* An upper bound of the compression of contact k within the step, m, beyond the static one: no compression exceeds both ends by
  * more than its fastest rate allows. One that rises at the start, falls at the end and is concave at both lies below its tangents
- * there. */
+ * there, if it is concave in between as well: assumed of steps that are a part of the shortest period (test_peaks tries it). */
 static double compression_bound(const struct bead_state *start, const struct bead_state *end, double h, size_t k)
 {
     const double d0 = start->u[k] - start->u[k + 1], d1 = end->u[k] - end->u[k + 1], rate0 = start->v[k] - start->v[k + 1],
@@ -327,12 +327,6 @@ static struct bead_slope slope_of(const struct bead_stepper *s, const struct bea
     return (struct bead_slope){0.5 * (before + here), 0.5 * (fabs(before) + fabs(here))};
 }
 
-static double bead_force(const struct bead_stepper *s, const struct bead_state *state, size_t j)
-{
-    const double *still = s->chain->static_force;
-    return 0.5 * ((j > 0 ? state->f[j - 1] + still[j - 1] : 0) + (j < s->chain->contacts ? state->f[j] + still[j] : 0));
-}
-
 /* Second time derivative of the force of bead j, N/s^2. */
 static double bead_bend(const struct bead_stepper *s, const struct bead_state *state, size_t j)
 {
@@ -356,7 +350,8 @@ static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, 
                       struct bead_slope at1)
 {
     const double most = s->h * (at0.swing > at1.swing ? at0.swing : at1.swing), best = interest(p, j);
-    if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* up and down at the fastest rate */
+    if (!(bead_stepper_bead_force(s, &s->start, j) + bead_stepper_bead_force(s, &s->end, j) + most >
+          2 * best)) /* up and down at the fastest rate */
         return false;
     const double sign = at0.rate > 0 ? 1 : -1, half = 0.5 * sign * s->h;
     return sign * at0.rate < -half * bead_bend(s, &s->start, j) || sign * at1.rate < half * bead_bend(s, &s->end, j);
@@ -426,7 +421,7 @@ static bool is_higher(struct bead_peaks *p, const struct bead_stepper *s, size_t
 static double last_force(const struct bead_peaks *p, const struct bead_stepper *s, size_t index, double over)
 {
     if (over >= s->t1)
-        return p->of_beads ? bead_force(s, &s->end, index) : s->end.f[index] + s->chain->static_force[index];
+        return p->of_beads ? bead_stepper_bead_force(s, &s->end, index) : s->end.f[index] + s->chain->static_force[index];
     const struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     return bead_force_curve_value(&curve, (over - s->t0) / s->h);
 }

@@ -25,6 +25,10 @@ static const double lost = 0.1;
 /* How many of a chain's peaks called predictable may later be overtaken, on average, if logarithms of late maxima are normal
  * deviates whose scatter is known from a sample. That is assumed: a longer tail would overtake more often. */
 static const double overtaken = 1e-3;
+/* Neighbours whose late heights tell how much those of a peak scatter; even. Empirical: with 16, 32 and 64, 567, 691 and 719 of
+ * 2000 random contacts (tests/cli/errors.sh, which asks for a third) are called predictable, and with 16 and 32 none of 43 132 rows
+ * of stress_errors was missed. The more there are, the more often they belong to other parts of a chain. */
+enum { ENOUGH = 32 };
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
@@ -269,9 +273,6 @@ static bool add_scatter(const struct bead_uncertain_peaks *p, size_t i, double *
     *sum += x * x;
     return true;
 }
-
-/* Neighbours whose late heights tell how much those of a peak scatter; even. A choice; 16 and 64 were tried as well. */
-enum { ENOUGH = 32 };
 
 /* By how many standard deviations peak i exceeds the other runs' late heights; INFINITY: they have none. Logarithms of heights
  * after the horizon scatter with the variance s^2, which follows from their differences x between two runs: the mean of x^2 is 2

@@ -94,7 +94,7 @@ all_parts() { [ "$(find parts -name 'sweep.*of8.h5' | wc -l)" -eq 8 ] && [ -z "$
 requeued() {
     place
     job=$(PATH=$T/bin:$PATH sbatch --parsable sweep.slurm) && await test -e killed && scontrol requeue "${job}_3" || return 1
-    # By itself, Slurm would wait for two minutes; it says so again when the task has ended. Where that comes last, it does wait.
+    # By itself, Slurm would wait for two minutes; it says so again when the task has ended. An order that comes before that does not count, and it waits.
     patience=180 await eval "scontrol update jobid=${job}_3 starttime=now; sleep 2; grep '^1 file,' slurm-${job}_3.out && all_parts" && continued "slurm-${job}_3.out"
 }
 missing=
